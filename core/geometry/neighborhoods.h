@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/geometry/sites.h"
+#include "core/progress.h"
+
+namespace stipple {
+
+/// Neighbors of every site, nearest first, without the site itself. Compressed rows: those of site i are
+/// [offsets[i], offsets[i+1]).
+struct Neighborhoods {
+  std::vector<std::size_t> offsets;     ///< m + 1
+  std::vector<Index> neighbors;         ///< site indices
+  std::vector<float> squaredDistances;  ///< in length^2, parallel to neighbors
+
+  std::span<const Index> of(Index site) const {
+    return {neighbors.data() + offsets[site], offsets[site + 1] - offsets[site]};
+  }
+  std::span<const float> squaredDistancesOf(Index site) const {
+    return {squaredDistances.data() + offsets[site], offsets[site + 1] - offsets[site]};
+  }
+};
+
+struct NeighborhoodOptions {
+  int k = 30;          ///< at least the k nearest (fewer only where the set has fewer)
+  float epsilon = 0;   ///< and, where the k-th is nearer than this, all within this distance
+  int cap = 200;       ///< a ball with more members keeps every r-th of those beyond the k nearest
+};
+
+/// Exact k nearest neighbors, ties by index; with epsilon the rule of Section 6 of the paper.
+Neighborhoods findNeighborhoods(const Sites& sites, const NeighborhoodOptions& options,
+                                const Progress* progress = nullptr);
+
+/// Answers neighbor queries about one set of sites; safe to share between threads. The sites must outlive it.
+class NeighborSearch {
+ public:
+  /// `typicalK` only tunes the cell size.
+  NeighborSearch(std::span<const Eigen::Vector3f> positions, int typicalK);
+  ~NeighborSearch();
+  NeighborSearch(NeighborSearch&&) noexcept;
+  NeighborSearch& operator=(NeighborSearch&&) noexcept;
+
+  /// Appends the k nearest of each site in [begin, end), nearest first, itself excluded: compressed rows.
+  void findNearest(Index begin, Index end, int k, Neighborhoods& rows) const;
+  /// The k nearest of one site.
+  void findNearest(Index site, int k, std::vector<Index>& neighbors, std::vector<float>& squaredDistances) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Median distance to the nearest other site; 0 below two sites.
+float medianSpacing(const Sites& sites);
+
+}  // namespace stipple
