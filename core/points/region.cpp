@@ -3,73 +3,68 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace stipple {
 
 namespace {
 
-bool isSet(const Eigen::Vector3f& value) {
-  return (value.array() != 0).any();
-}
-
-bool isSet(const Rgba8& value) {
-  return value.r != 0 || value.g != 0 || value.b != 0;
-}
-
-template <class Number>
-bool isSet(Number value) {
-  return value != 0;
+template <class T>
+bool isNotZero(const T& value) {
+  if constexpr (std::is_same_v<T, Rgba8>)
+    return value.r != 0 || value.g != 0 || value.b != 0;
+  else if constexpr (std::is_same_v<T, Eigen::Vector3f>)
+    return !value.isZero(0);
+  else
+    return value != T{0};
 }
 
 }  // namespace
 
-Region Region::all(const PointSet& points) {
-  return Region(points);
-}
-
-Region Region::fromRows(const PointSet& points, std::vector<Index> rows) {
-  std::ranges::sort(rows);
-  rows.erase(std::ranges::unique(rows).begin(), rows.end());
-  if (!rows.empty() && rows.back() >= points.size()) {
-    throw InvalidInput(fmt::format("row {} of the region is not below {}", rows.back(), points.size()));
+Region::Region(const PointSet& points, std::vector<std::uint8_t> mask) : topologyId_(points.topologyId()) {
+  if (mask.size() != points.size()) {
+    throw InvalidInput(fmt::format("the region has {} entries, expected {}", mask.size(), points.size()));
   }
-  Region region(points);
-  region.rows_ = std::make_shared<const std::vector<Index>>(std::move(rows));
-  return region;
+  mask_ = std::make_shared<const std::vector<std::uint8_t>>(std::move(mask));
 }
 
-Region Region::fromAttribute(const PointSet& points, std::string_view name) {
-  const Attribute* attribute = points.find(name);
-  if (!attribute) throw InvalidInput(fmt::format("there is no attribute '{}' to take a region from", name));
-  std::vector<Index> rows;
+std::span<const std::uint8_t> Region::mask() const {
+  return mask_ ? std::span<const std::uint8_t>(*mask_) : std::span<const std::uint8_t>();
+}
+
+Index Region::count(Index size) const {
+  return mask_ ? static_cast<Index>(mask_->size() - std::ranges::count(*mask_, 0)) : size;
+}
+
+std::vector<Index> Region::rows(Index size) const {
+  std::vector<Index> inside;
+  for (Index row = 0; row < size; ++row) {
+    if (contains(row)) inside.push_back(row);
+  }
+  return inside;
+}
+
+Region regionOfRows(const PointSet& points, std::span<const Index> rows) {
+  std::vector<std::uint8_t> mask(points.size());
+  for (const Index row : rows) {
+    if (row >= points.size()) {
+      throw InvalidInput(fmt::format("row {} of the region is not below {}", row, points.size()));
+    }
+    mask[row] = 1;
+  }
+  return Region(points, std::move(mask));
+}
+
+Region regionWhereNotZero(const PointSet& points, std::string_view attribute) {
+  const Attribute* found = points.find(attribute);
+  if (!found) throw InvalidInput(fmt::format("the region attribute '{}' is not in the points", attribute));
+  std::vector<std::uint8_t> mask(points.size());
   std::visit(
       [&](const auto& values) {
-        for (Index row = 0; row < points.size(); ++row) {
-          if (isSet(values[row])) rows.push_back(row);
-        }
+        for (std::size_t row = 0; row < values.size(); ++row) mask[row] = isNotZero(values[row]) ? 1 : 0;
       },
-      attribute->column.values());
-  return fromRows(points, std::move(rows));
-}
-
-bool Region::contains(Index row) const {
-  return rows_ ? std::ranges::binary_search(*rows_, row) : row < size_;
-}
-
-std::vector<Index> Region::rows() const {
-  if (rows_) return *rows_;
-  std::vector<Index> every(size_);
-  std::iota(every.begin(), every.end(), Index{0});
-  return every;
-}
-
-std::vector<std::uint8_t> Region::mask() const {
-  if (!rows_) return std::vector<std::uint8_t>(size_, 1);
-  std::vector<std::uint8_t> inside(size_, 0);
-  for (const Index row : *rows_) inside[row] = 1;
-  return inside;
+      found->column.values());
+  return Region(points, std::move(mask));
 }
 
 }  // namespace stipple

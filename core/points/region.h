@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -9,36 +10,35 @@
 
 namespace stipple {
 
-/// A set of rows of a point set. Bound to the set's topology: once rows were added or removed it no longer
-/// fits. A value; copies share the list.
+/// A choice of rows of a point set. A value: copies share the mask. The default region is every row of any
+/// point set.
 class Region {
  public:
-  /// Every row.
-  static Region all(const PointSet& points);
-  /// The rows in any order, repeated ones counted once. Throws InvalidInput where one is not a row.
-  static Region fromRows(const PointSet& points, std::vector<Index> rows);
-  /// The rows whose value is not 0 (vector3: not the zero vector; color: not black, whatever its alpha; NaN
-  /// is not 0). Throws InvalidInput where there is no such attribute.
-  static Region fromAttribute(const PointSet& points, std::string_view name);
+  Region() = default;
+  /// One entry a row, not 0 where the row belongs to the region. Throws InvalidInput where the length is not
+  /// size().
+  Region(const PointSet& points, std::vector<std::uint8_t> mask);
 
-  Index count() const { return rows_ ? static_cast<Index>(rows_->size()) : size_; }
-  bool isAll() const { return count() == size_; }
-  /// O(log count); inner loops take mask().
-  bool contains(Index row) const;
-  /// Ascending.
-  std::vector<Index> rows() const;
-  /// One byte a row of the set: 1 inside, 0 outside.
-  std::vector<std::uint8_t> mask() const;
-
-  ColumnId topologyId() const { return topologyId_; }
-  bool fits(const PointSet& points) const { return topologyId_ == points.topologyId(); }
+  bool isEverything() const { return !mask_; }
+  bool contains(Index row) const { return !mask_ || (*mask_)[row] != 0; }
+  /// Empty where the region is everything.
+  std::span<const std::uint8_t> mask() const;
+  /// How many rows of a point set of `size` rows are inside; these rows, ascending.
+  Index count(Index size) const;
+  std::vector<Index> rows(Index size) const;
+  /// Rows still mean what they meant when the region was made.
+  bool fits(const PointSet& points) const { return !mask_ || topologyId_ == points.topologyId(); }
 
  private:
-  explicit Region(const PointSet& points) : size_(points.size()), topologyId_(points.topologyId()) {}
-
-  std::shared_ptr<const std::vector<Index>> rows_;  // null: all rows
-  Index size_;
-  ColumnId topologyId_;
+  std::shared_ptr<const std::vector<std::uint8_t>> mask_;
+  ColumnId topologyId_ = 0;
 };
+
+/// The rows in any order, repeated or not. Throws InvalidInput where one is not a row.
+Region regionOfRows(const PointSet& points, std::span<const Index> rows);
+
+/// The rows where the attribute is not 0 (NaN is not): a vector of any length but 0, a color other than
+/// black. Throws InvalidInput where there is no such attribute.
+Region regionWhereNotZero(const PointSet& points, std::string_view attribute);
 
 }  // namespace stipple

@@ -153,7 +153,7 @@ TEST(Edit, RemovesEveryRowAndBringsThemBack) {
 
 TEST(Edit, GuardsRegionsByTheTopologyAndUndoMakesThemFitAgain) {
   PointSet points = line(6);
-  const Region region = Region::fromRows(points, {2});
+  const Region region = regionOfRows(points, std::vector<Index>{2});
   PointSet after = points;
   after.removeRows(std::vector<Index>{1});
   Edit edit = difference(points, after, std::vector<Index>{1});
