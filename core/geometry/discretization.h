@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry/fans.h"
 #include "core/geometry/sites.h"
 #include "core/progress.h"
 
@@ -13,32 +14,12 @@ namespace stipple {
 /// How stiffness and mass come from fans. voronoi: lengths of Voronoi edges, an M-matrix (scalar A). element: average of
 /// the elements of all fans (tensor A). paper: Eq. (8)-(11). mesh: cotangents of the triangles of the file.
 enum class Scheme { kVoronoi, kElement, kPaper, kMesh };
-/// Where a neighbor lies in the tangent plane: at its distance in space (unfolded), or projected orthogonally.
-enum class Metric { kUnfolded, kProjected };
-
 struct DiscretizationOptions {
   Scheme scheme = Scheme::kVoronoi;
   Metric metric = Metric::kUnfolded;
-  bool consensus = true;  ///< vote the fans into one conforming triangulation where they can agree
-  int k = 0;              ///< neighbors a fan starts with; 0: 16, or 60 for scheme paper
+  bool consensus = true;  ///< vote the fans into one conforming triangulation where they can agree (not for paper, mesh)
+  int k = 0;              ///< neighbors that a fan starts with; 0: 24, or 60 for scheme paper
   double minAngle = 0;    ///< radians; drops neighbors of thin triangles; at most 10 degrees, 25 for scheme paper
-};
-
-/// One Delaunay star per site: its neighbors in cyclic order about the normal. Compressed rows.
-struct Fans {
-  static constexpr std::uint8_t kGapAfter = 1;  ///< no triangle between this neighbor and the next
-  std::vector<Index> offsets;                   ///< m + 1
-  std::vector<Index> neighbors;
-  std::vector<std::uint8_t> flags;              ///< parallel to neighbors
-  std::vector<std::uint8_t> open;               ///< m: the star does not close round its site
-  std::vector<std::uint8_t> certified;          ///< m: no site beyond those looked at can change it
-
-  std::span<const Index> of(Index site) const {
-    return {neighbors.data() + offsets[site], offsets[site + 1] - offsets[site]};
-  }
-  std::span<const std::uint8_t> flagsOf(Index site) const {
-    return {flags.data() + offsets[site], offsets[site + 1] - offsets[site]};
-  }
 };
 
 /// Wall clock and processor seconds of one stage.
@@ -46,26 +27,32 @@ struct StageTime {
   double seconds = 0, cpuSeconds = 0;
 };
 
+struct DiscretizationTimes {
+  StageTime order, neighbors, frames, fans, consensus, assembly;
+};
+
 /// A point set made ready for finite elements: sites, one tangent frame and one fan each. All rows are sites.
 struct Discretization {
   DiscretizationOptions options;
   Sites sites;
-  std::vector<Eigen::Vector3f> normals;      ///< m x 3, unit, sign arbitrary
+  std::vector<Eigen::Vector3f> normals;  ///< m x 3, unit, sign arbitrary
+  /// Scheme mesh: one-rings of the triangles, ascending, each with kGapAfter.
   Fans fans;
-  std::vector<std::uint8_t> resolved;        ///< m: all triangles of the fan are shared by its corners' fans
-  std::vector<Triangle> meshTriangles;       ///< scheme mesh only, corners are sites
-  std::vector<double> mass;                  ///< m: lumped mass, length^2, > 0
-  struct {
-    StageTime order, neighbors, frames, fans, consensus, assembly;
-  } times;
+  std::vector<std::uint8_t> resolved;    ///< m: the fan consists of triangles that consensus accepted
+  /// Parallel to fans.neighbors: the half weight of the edge by the fan of its first end, dimensionless, >= 0 for scheme
+  /// voronoi. Stiffness off the diagonal is minus the mean of both half weights.
+  std::vector<double> weights;
+  std::vector<double> mass;              ///< m: lumped mass, length^2, > 0
+  std::vector<Triangle> meshTriangles;   ///< scheme mesh only, corners are sites
+  DiscretizationTimes times;
 
   Index size() const { return sites.size(); }
 };
 
+/// Throws InvalidInput where a value is out of range.
+void checkOptions(const DiscretizationOptions& options);
+
 /// Throws InvalidInput where scheme mesh is asked for and there are no triangles, or a value is out of range.
 Discretization discretize(const PointSet& points, const DiscretizationOptions& options, Progress& progress);
-
-/// Share of triangle instances that stand in the fans of all three corners.
-double shareOfConsistentTriangles(const Fans& fans);
 
 }  // namespace stipple

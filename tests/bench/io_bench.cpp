@@ -107,5 +107,3 @@ BENCHMARK(asciiPly)->Iterations(5)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace stipple
-
-BENCHMARK_MAIN();
