@@ -56,7 +56,8 @@ std::vector<Include> includesOf(const SourceFile& file) {
 }
 
 bool repositoryHas(const std::string& path) {
-  return fs::exists(fs::path(STIPPLE_SOURCE_DIR) / path);
+  return fs::exists(fs::path(STIPPLE_SOURCE_DIR) / path) ||
+         fs::exists(fs::path(STIPPLE_BINARY_DIR) / "generated" / path);
 }
 
 }  // namespace stipple

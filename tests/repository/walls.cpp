@@ -53,7 +53,7 @@ const std::vector<Foreign> kForeign = {
     {"Highway", {"hwy/"}, {}, false},
     {"CHOLMOD", {"cholmod", "suitesparse/", "Eigen/CholmodSupport"}, {}, false},
     {"CLI11", {"CLI/"}, {}, false},
-    {"JSON", {"nlohmann/"}, {}, false},
+    {"JSON", {"nlohmann/json.hpp"}, {}, false},
 };
 
 std::string wallBrokenByOurs(const std::string& path, const std::string& name) {
