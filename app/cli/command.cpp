@@ -5,7 +5,8 @@
 
 namespace stipple {
 
-Outcome makeOutcome(bool asJson, nlohmann::ordered_json document, std::string text, std::vector<std::string> warnings) {
+Outcome makeOutcome(bool asJson, nlohmann::ordered_json document, std::string text,
+                    std::vector<std::string> warnings) {
   if (!asJson) return {.text = std::move(text), .warnings = std::move(warnings)};
   using Json = nlohmann::ordered_json;
   document["warnings"] = std::move(warnings);

@@ -33,8 +33,10 @@ struct Outcome {
   std::vector<std::string> warnings = {};
 };
 
-/// `document` with the warnings inside where the user asked for JSON, otherwise `text` and the warnings beside it.
-Outcome makeOutcome(bool asJson, nlohmann::ordered_json document, std::string text, std::vector<std::string> warnings);
+/// `document` with the warnings inside where the user asked for JSON, otherwise `text` and the warnings
+/// beside it.
+Outcome makeOutcome(bool asJson, nlohmann::ordered_json document, std::string text,
+                    std::vector<std::string> warnings);
 
 using Command = std::function<Outcome(Progress&)>;
 

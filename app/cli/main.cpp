@@ -14,7 +14,8 @@ namespace stipple {
 namespace {
 
 int fail(ExitCode code, std::string sentence) {
-  std::ranges::replace_if(sentence, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  std::ranges::replace_if(
+      sentence, [](char c) { return c == '\n' || c == '\r'; }, ' ');
   while (sentence.ends_with(' ')) sentence.pop_back();
   fmt::print(stderr, "stipple-cli: {}\n", sentence);
   return code;
@@ -37,7 +38,8 @@ int perform(const Command& command) {
     const Outcome outcome = command(progress);
     progress.clear();
     print(outcome.text);
-    for (const std::string& warning : outcome.warnings) fmt::print(stderr, "stipple-cli: warning: {}\n", warning);
+    for (const std::string& warning : outcome.warnings)
+      fmt::print(stderr, "stipple-cli: warning: {}\n", warning);
     return kDone;
   } catch (const CommandFailure& failure) {
     return failing(failure.code(), failure.what());
@@ -81,4 +83,6 @@ int runProgram(int argc, char** argv) {
 }  // namespace
 }  // namespace stipple
 
-int main(int argc, char** argv) { return stipple::runProgram(argc, argv); }
+int main(int argc, char** argv) {
+  return stipple::runProgram(argc, argv);
+}
