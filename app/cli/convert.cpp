@@ -1,7 +1,7 @@
 #include <CLI/CLI.hpp>
-#include <map>
 #include <memory>
 
+#include "app/cli/choice_option.h"
 #include "app/cli/command.h"
 #include "app/cli/files.h"
 
@@ -33,12 +33,9 @@ void addConvert(CLI::App& program, Command& chosen) {
       program.add_subcommand("convert", "Write the points in another format, chosen by the name of OUT");
   command->add_option("IN", options->input, "File of points")->required();
   command->add_option("OUT", options->output, "File to write")->required();
-  const std::map<std::string, Encoding> encodings = {{"ascii", Encoding::kAscii},
-                                                     {"binary", Encoding::kBinary}};
-  command
-      ->add_option("--encoding", options->encoding, "For formats that know both: ascii or binary (default)")
-      ->transform(CLI::CheckedTransformer(encodings).description(""))
-      ->type_name("ascii|binary");
+  addChoice<Encoding>(*command, "--encoding", options->encoding,
+                      {{"ascii", Encoding::kAscii}, {"binary", Encoding::kBinary}},
+                      "For formats that know both (binary)");
   command->callback(
       [options, &chosen] { chosen = [options](Progress& p) { return runConvert(*options, p); }; });
 }

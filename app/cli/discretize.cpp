@@ -3,14 +3,15 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "app/cli/choice_option.h"
 #include "app/cli/command.h"
 #include "app/cli/files.h"
 #include "app/cli/matrix_market.h"
+#include "core/geometry/consensus.h"
 #include "core/stopwatch.h"
 
 namespace stipple {
@@ -131,17 +132,6 @@ Outcome runDiscretize(DiscretizeOptions options, Progress& progress) {
   times.finish();
   const Json json = describe(d, times);
   return makeOutcome(options.json, json, asText(json), std::move(read.warnings));
-}
-
-// An option whose words stand for values.
-template <class Value>
-void addChoice(CLI::App& command, const std::string& name, Value& value,
-               const std::map<std::string, Value>& choices, const std::string& help) {
-  std::string words;
-  for (const auto& [word, meaning] : choices) words += (words.empty() ? "" : "|") + word;
-  command.add_option(name, value, help)
-      ->transform(CLI::CheckedTransformer(choices).description(""))
-      ->type_name(words);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>

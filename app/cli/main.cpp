@@ -56,6 +56,17 @@ int perform(const Command& command) {
   }
 }
 
+// A first word that is neither an option nor a command.
+void checkCommand(const CLI::App& program, const std::string& word) {
+  if (word.starts_with('-')) return;
+  std::string names;
+  for (const CLI::App* command : program.get_subcommands(nullptr)) {
+    if (command->get_name() == word) return;
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  throw CommandFailure(kUsage, fmt::format("there is no command '{}', expected one of {}", word, names));
+}
+
 int runProgram(int argc, char** argv) {
   CLI::App program("Processes surfaces given as points.", "stipple-cli");
   program.require_subcommand(1);
@@ -71,11 +82,14 @@ int runProgram(int argc, char** argv) {
     command->set_version_flag("--version", "stipple-cli " STIPPLE_VERSION);
   }
   try {
+    if (argc > 1) checkCommand(program, argv[1]);
     program.parse(argc, argv);
   } catch (const CLI::Success& success) {
     return program.exit(success);
   } catch (const CLI::ParseError& error) {
     return fail(kUsage, error.what());
+  } catch (const CommandFailure& failure) {
+    return fail(failure.code(), failure.what());
   }
   return perform(chosen);
 }

@@ -20,15 +20,19 @@ constexpr std::size_t kBlockRows = 1 << 13, kBlocksAtOnce = 64;
 // Doubles read back exactly from this many significant digits.
 constexpr int kDigits = 17;
 
+void appendIndex(std::string& text, Eigen::Index index) {
+  char digits[24];
+  text.append(digits, std::to_chars(digits, std::end(digits), index + 1).ptr);
+  text += ' ';
+}
+
 void appendEntry(std::string& text, Eigen::Index row, Eigen::Index column, double value) {
-  char line[64];
-  char* end = std::to_chars(line, std::end(line), row + 1).ptr;
-  *end++ = ' ';
-  end = std::to_chars(end, std::end(line), column + 1).ptr;
-  *end++ = ' ';
-  end = std::to_chars(end, std::end(line), value, std::chars_format::general, kDigits).ptr;
-  *end++ = '\n';
-  text.append(line, end);
+  appendIndex(text, row);
+  appendIndex(text, column);
+  char digits[32];
+  text.append(digits,
+              std::to_chars(digits, std::end(digits), value, std::chars_format::general, kDigits).ptr);
+  text += '\n';
 }
 
 // Writes header and rows; appendRow(text, row) formats the entries of one row, on any thread.
