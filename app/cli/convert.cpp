@@ -1,7 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "app/cli/choice_option.h"
 #include "app/cli/command.h"
 #include "app/cli/files.h"
 
@@ -33,9 +32,10 @@ void addConvert(CLI::App& program, Command& chosen) {
       program.add_subcommand("convert", "Write the points in another format, chosen by the name of OUT");
   command->add_option("IN", options->input, "File of points")->required();
   command->add_option("OUT", options->output, "File to write")->required();
-  addChoice<Encoding>(*command, "--encoding", options->encoding,
-                      {{"ascii", Encoding::kAscii}, {"binary", Encoding::kBinary}},
-                      "For formats that know both (binary)");
+  addChoice(
+      *command, "--encoding", {"binary", "ascii"},
+      [options](std::size_t choice) { options->encoding = static_cast<Encoding>(choice); },
+      "For formats that know both (binary)");
   command->callback(
       [options, &chosen] { chosen = [options](Progress& p) { return runConvert(*options, p); }; });
 }

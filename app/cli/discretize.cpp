@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "app/cli/choice_option.h"
 #include "app/cli/command.h"
 #include "app/cli/files.h"
 #include "app/cli/matrix_market.h"
@@ -147,17 +146,18 @@ void addDiscretize(CLI::App& program, Command& chosen) {
   command->add_option("--mass", options->mass, "Write the diagonal mass matrix M (MatrixMarket)")
       ->type_name("FILE");
   command->add_option("--k", d.k, "Neighbors a fan starts with, 6 to 1000 (0: by itself)");
-  addChoice<Scheme>(*command, "--scheme", d.scheme,
-                    {{"voronoi", Scheme::kVoronoi},
-                     {"element", Scheme::kElement},
-                     {"paper", Scheme::kPaper},
-                     {"mesh", Scheme::kMesh}},
-                    "How matrices come from the points (voronoi)");
-  addChoice<Metric>(*command, "--metric", d.metric,
-                    {{"unfolded", Metric::kUnfolded}, {"projected", Metric::kProjected}},
-                    "Where neighbors lie in the tangent plane (unfolded)");
-  addChoice<bool>(*command, "--consensus", d.consensus, {{"on", true}, {"off", false}},
-                  "Bring neighboring fans to agreement (on)");
+  // The words stand in the order of the enumerations.
+  addChoice(
+      *command, "--scheme", {"voronoi", "element", "paper", "mesh"},
+      [&d](std::size_t choice) { d.scheme = static_cast<Scheme>(choice); },
+      "How matrices come from the points (voronoi)");
+  addChoice(
+      *command, "--metric", {"unfolded", "projected"},
+      [&d](std::size_t choice) { d.metric = static_cast<Metric>(choice); },
+      "Where neighbors lie in the tangent plane (unfolded)");
+  addChoice(
+      *command, "--consensus", {"on", "off"}, [&d](std::size_t choice) { d.consensus = choice == 0; },
+      "Bring neighboring fans to agreement (on)");
   command->add_option("--min-angle", options->minAngleDegrees, "Degrees; drops thin triangles (0)");
   command->add_option("--threads", options->threads, "Most threads to use (0: all cores)")
       ->check(CLI::Range(0, 4096));

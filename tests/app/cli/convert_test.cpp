@@ -7,7 +7,7 @@ using testing::HasSubstr;
 
 TEST_F(Cli, ConvertWritesTheSamePointsInEitherEncoding) {
   const std::string example = writeExample();
-  for (const std::string& encoding : {"ascii", "binary"}) {
+  for (const char* encoding : {"ascii", "binary"}) {
     const ProgramRun done = run({"convert", example, path("out.ply"), "--encoding", encoding});
     EXPECT_EQ(done.exitCode, 0);
     EXPECT_EQ(done.out + done.err, "");

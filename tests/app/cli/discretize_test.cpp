@@ -1,6 +1,7 @@
 #include <Eigen/SparseCore>
 #include <cmath>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <random>
 #include <sstream>

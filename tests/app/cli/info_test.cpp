@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "tests/app/cli/cli_fixture.h"
 
 namespace stipple {

@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "tests/app/cli/cli_fixture.h"
 
 namespace stipple {
@@ -33,9 +35,15 @@ TEST_F(Cli, OperatorsListsEverythingThatWasDeclared) {
 TEST_F(Cli, OperatorsListsRegionsAndChoices) {
   const json document = runJson({"operators", "--json"});
   for (const json& op : document["operators"]) {
-    if (op["id"] == "mark_limits") EXPECT_EQ(op["region"], "limits");
-    if (op["id"] == "mark_mask") EXPECT_EQ(op["region"], "mask");
-    if (op["id"] == "misbehave") EXPECT_EQ(op["parameters"][0]["choices"].size(), 5u);
+    if (op["id"] == "mark_limits") {
+      EXPECT_EQ(op["region"], "limits");
+    }
+    if (op["id"] == "mark_mask") {
+      EXPECT_EQ(op["region"], "mask");
+    }
+    if (op["id"] == "misbehave") {
+      EXPECT_EQ(op["parameters"][0]["choices"].size(), 5u);
+    }
   }
   EXPECT_THAT(run({"operators"}).out, HasSubstr("stepper: Adds an amount"));
 }

@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "tests/app/cli/cli_fixture.h"
 
 namespace stipple {
@@ -63,7 +65,7 @@ TEST_F(Cli, RunRefusesRegionsAndAttributesThatAreNotThere) {
 
 TEST_F(Cli, AFailedOperatorIsExit1WithOneLineAndLeavesNothing) {
   const std::string example = writeExample();
-  for (const std::string& how : {"standard", "invalid_input", "number", "memory", "lose_points"}) {
+  for (const std::string how : {"standard", "invalid_input", "number", "memory", "lose_points"}) {
     EXPECT_THAT(
         failWith(1, {"run", "misbehave", example, "-o", path("out.ply"), "--set", "how=" + how, "--json"}),
         HasSubstr("misbehave"));

@@ -87,7 +87,7 @@ TEST_F(Cli, UnwritableOutputIsExit3WithOneLineAndNothingLeftBehind) {
     EXPECT_THAT(failWith(3, {"run", "stepper", example, "-o", out}), HasSubstr(out));
     EXPECT_THAT(failWith(3, {"play", recipe, example, "-o", out}), HasSubstr(out));
   }
-  for (const std::string& option : {"--stiffness", "--mass"}) {
+  for (const char* option : {"--stiffness", "--mass"}) {
     EXPECT_THAT(failWith(3, {"discretize", example, option, folder_.string()}), HasSubstr(folder_.string()));
     EXPECT_THAT(failWith(3, {"discretize", example, option, path("no/out.mtx")}), HasSubstr("no/out.mtx"));
   }
