@@ -45,7 +45,8 @@ Element makeElement(const Discretization& d, const Triangle& t) {
 
 // Off-diagonals of one element: share |T| grad_a . A grad_b.
 template <class Apply>
-void emitElement(const Discretization& d, const Triangle& t, double share, Apply&& applyTensor, Edges& edges) {
+void emitElement(const Discretization& d, const Triangle& t, double share, Apply&& applyTensor,
+                 Edges& edges) {
   const Element element = makeElement(d, t);
   if (!(element.area > 0)) return;
   for (std::size_t a = 0; a < 3; ++a) {
@@ -55,7 +56,8 @@ void emitElement(const Discretization& d, const Triangle& t, double share, Apply
   }
 }
 
-// Elements of all fans at a third each, with the tensor of the fan's site; sites without triangles keep their ties.
+// Elements of all fans at a third each, with the tensor of the fan's site; sites without triangles keep their
+// ties.
 template <class Apply>
 SparseMatrix assembleElements(const Discretization& d, Apply&& applyTensorOf, const Progress* progress) {
   if (d.options.scheme == Scheme::kMesh) {
@@ -91,8 +93,10 @@ SparseMatrix assembleElements(const Discretization& d, Apply&& applyTensorOf, co
   return buildLaplacian(d.size(), collectEdges(d.size(), emit, progress));
 }
 
-// Eq. (8): L~_ij = sum over the triangles of fan i of |T| A_i grad_i . grad_j; Eq. (9): the mean of L~_ij and L~_ji.
-SparseMatrix assemblePaper(const Discretization& d, std::span<const Eigen::Matrix3d> tensor, const Progress* progress) {
+// Eq. (8): L~_ij = sum over the triangles of fan i of |T| A_i grad_i . grad_j; Eq. (9): the mean of L~_ij and
+// L~_ji.
+SparseMatrix assemblePaper(const Discretization& d, std::span<const Eigen::Matrix3d> tensor,
+                           const Progress* progress) {
   const auto emit = [&](Index begin, Index end, Edges& edges) {
     for (Index i = begin; i < end; ++i) {
       const auto spokes = d.fans.of(i);
@@ -116,22 +120,27 @@ SparseMatrix assemblePaper(const Discretization& d, std::span<const Eigen::Matri
 
 SparseMatrix assembleStiffness(const Discretization& d, const Progress* progress) {
   if (d.options.scheme == Scheme::kElement) {
-    return assembleElements(d, [](Index, const Eigen::Vector3d& g) { return g; }, progress);
+    return assembleElements(
+        d, [](Index, const Eigen::Vector3d& g) { return g; }, progress);
   }
-  return assembleSpokes(d, [](Index, Index) { return 1.0; }, progress);
+  return assembleSpokes(
+      d, [](Index, Index) { return 1.0; }, progress);
 }
 
 SparseMatrix assembleStiffness(const Discretization& d, std::span<const double> a, EdgeMean mean,
                                const Progress* progress) {
   if (mean == EdgeMean::kHarmonic) {
-    const auto harmonic = [&](Index i, Index j) { return a[i] + a[j] > 0 ? 2 * a[i] * a[j] / (a[i] + a[j]) : 0.0; };
+    const auto harmonic = [&](Index i, Index j) {
+      return a[i] + a[j] > 0 ? 2 * a[i] * a[j] / (a[i] + a[j]) : 0.0;
+    };
     return assembleSpokes(d, harmonic, progress);
   }
   if (d.options.scheme == Scheme::kElement) {
     return assembleElements(
         d, [&](Index i, const Eigen::Vector3d& g) -> Eigen::Vector3d { return a[i] * g; }, progress);
   }
-  return assembleSpokes(d, [&](Index i, Index) { return a[i]; }, progress);
+  return assembleSpokes(
+      d, [&](Index i, Index) { return a[i]; }, progress);
 }
 
 SparseMatrix assembleStiffness(const Discretization& d, const std::function<double(Index, Index)>& factor,

@@ -27,7 +27,8 @@ LowerRows gatherLower(Index rows, const std::vector<WeightedEdge>& edges) {
   std::partial_sum(lower.begins.begin(), lower.begins.end(), lower.begins.begin());
   std::vector<std::size_t> next(lower.begins.begin(), lower.begins.end() - 1);
   lower.entries.resize(edges.size());
-  for (const WeightedEdge& e : edges) lower.entries[next[std::max(e.i, e.j)]++] = {std::min(e.i, e.j), e.weight};
+  for (const WeightedEdge& e : edges)
+    lower.entries[next[std::max(e.i, e.j)]++] = {std::min(e.i, e.j), e.weight};
 
   lower.counts.assign(rows, 0);
   parallelFor(rows, 8192, [&](std::size_t begin, std::size_t end) {

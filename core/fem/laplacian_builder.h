@@ -16,8 +16,8 @@ struct WeightedEdge {
   double weight;
 };
 
-/// Sum of the edges: symmetric, rows sum to 0, every diagonal entry stored. The order of the edges decides the order of
-/// the additions. The edges are consumed.
+/// Sum of the edges: symmetric, rows sum to 0, every diagonal entry stored. The order of the edges decides
+/// the order of the additions. The edges are consumed.
 SparseMatrix buildLaplacian(Index rows, std::vector<WeightedEdge>&& edges);
 
 /// The edges that emit(begin, end, edges) appends for blocks of rows, in the order of the blocks.

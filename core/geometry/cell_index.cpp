@@ -10,10 +10,12 @@ namespace {
 
 constexpr std::uint64_t kEmpty = std::numeric_limits<std::uint64_t>::max();
 
-std::uint64_t hashOf(std::uint64_t cell) { return (cell * 0x9e3779b97f4a7c15u) >> 20; }
+std::uint64_t hashOf(std::uint64_t cell) {
+  return (cell * 0x9e3779b97f4a7c15u) >> 20;
+}
 
-// Finest level at which occupied cells hold `pointsPerCell` points on average. Two successive codes lie in different
-// cells of exactly the levels below that of their highest differing bit.
+// Finest level at which occupied cells hold `pointsPerCell` points on average. Two successive codes lie in
+// different cells of exactly the levels below that of their highest differing bit.
 int levelFor(std::span<const std::uint64_t> codes, double pointsPerCell) {
   std::array<std::size_t, MortonLattice::kBits + 1> splits{};
   for (std::size_t i = 1; i < codes.size(); ++i) {
@@ -42,7 +44,8 @@ CellIndex::CellIndex(std::span<const Eigen::Vector3f> positions, double pointsPe
 CellIndex::Table CellIndex::buildTable(int level) const {
   const int shift = 3 * level;
   std::size_t occupied = 0;
-  for (std::size_t i = 0; i < codes_.size(); ++i) occupied += i == 0 || codes_[i] >> shift != codes_[i - 1] >> shift;
+  for (std::size_t i = 0; i < codes_.size(); ++i)
+    occupied += i == 0 || codes_[i] >> shift != codes_[i - 1] >> shift;
   Table table;
   const std::size_t slots = std::bit_ceil(2 * occupied + 1);
   table.mask = slots - 1;

@@ -16,8 +16,8 @@ struct IndexRange {
   Index size() const { return end - begin; }
 };
 
-/// Finds the points of a lattice cell, for positions in Morton order. Level l has cells of 2^l lattice units; two
-/// neighboring levels are hashed, the others are found by bisection of the sorted codes.
+/// Finds the points of a lattice cell, for positions in Morton order. Level l has cells of 2^l lattice units;
+/// two neighboring levels are hashed, the others are found by bisection of the sorted codes.
 class CellIndex {
  public:
   /// Hashes the finest level whose occupied cells hold `pointsPerCell` or more on average, and the one above.
@@ -28,8 +28,8 @@ class CellIndex {
   std::uint64_t cellOf(Index row, int level) const { return codes_[row] >> (3 * level); }
   IndexRange pointsIn(std::uint64_t cell, int level) const;
 
-  /// The up to 27 occupied ranges of the cell and those around it, and the distance from `position` (in the cell) to
-  /// the nearest face of that block beyond which points are missing.
+  /// The up to 27 occupied ranges of the cell and those around it, and the distance from `position` (in the
+  /// cell) to the nearest face of that block beyond which points are missing.
   struct Block {
     std::array<IndexRange, 27> ranges;
     int count = 0;

@@ -14,7 +14,8 @@ bool hasTriangle(const Fans& fans, Index site, Index a, Index b) {
   const auto flags = fans.flagsOf(site);
   for (std::size_t s = 0; s < spokes.size(); ++s) {
     if (spokes[s] != a) continue;
-    const std::size_t next = s + 1 == spokes.size() ? 0 : s + 1, previous = s == 0 ? spokes.size() - 1 : s - 1;
+    const std::size_t next = s + 1 == spokes.size() ? 0 : s + 1,
+                      previous = s == 0 ? spokes.size() - 1 : s - 1;
     return (spokes[next] == b && !(flags[s] & Fans::kGapAfter)) ||
            (spokes[previous] == b && !(flags[previous] & Fans::kGapAfter));
   }
@@ -54,9 +55,9 @@ std::vector<VotedTriangle> findDisputed(const Fans& fans, const Progress* progre
   for (const auto& part : parts) disputed.insert(disputed.end(), part.begin(), part.end());
   std::sort(disputed.begin(), disputed.end(),
             [](const VotedTriangle& a, const VotedTriangle& b) { return a.corners < b.corners; });
-  const auto twice = std::unique(disputed.begin(), disputed.end(), [](const VotedTriangle& a, const VotedTriangle& b) {
-    return a.corners == b.corners;
-  });
+  const auto twice =
+      std::unique(disputed.begin(), disputed.end(),
+                  [](const VotedTriangle& a, const VotedTriangle& b) { return a.corners == b.corners; });
   disputed.erase(twice, disputed.end());
   return disputed;
 }
@@ -91,7 +92,8 @@ std::vector<std::size_t> groupByPatch(std::vector<VotedTriangle>& disputed, Inde
   });
   std::vector<std::size_t> begins;
   for (std::size_t t = 0; t < disputed.size(); ++t) {
-    if (t == 0 || sets.rootOf(disputed[t].corners[0]) != sets.rootOf(disputed[t - 1].corners[0])) begins.push_back(t);
+    if (t == 0 || sets.rootOf(disputed[t].corners[0]) != sets.rootOf(disputed[t - 1].corners[0]))
+      begins.push_back(t);
   }
   begins.push_back(disputed.size());
   return begins;
@@ -99,7 +101,8 @@ std::vector<std::size_t> groupByPatch(std::vector<VotedTriangle>& disputed, Inde
 
 // The fans with the changed ones in place of their own.
 Fans splice(const Fans& fans, std::vector<PatchFan>& changed) {
-  std::sort(changed.begin(), changed.end(), [](const PatchFan& a, const PatchFan& b) { return a.site < b.site; });
+  std::sort(changed.begin(), changed.end(),
+            [](const PatchFan& a, const PatchFan& b) { return a.site < b.site; });
   Fans result;
   result.open = fans.open;
   result.certified = fans.certified;

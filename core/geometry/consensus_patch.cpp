@@ -63,8 +63,8 @@ bool overlap(const Sector& a, const Sector& b) {
 // The accepted triangles of a patch and what they occupy.
 class Patch {
  public:
-  Patch(std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> normals, const Fans& fans,
-        std::span<const VotedTriangle> disputed);
+  Patch(std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> normals,
+        const Fans& fans, std::span<const VotedTriangle> disputed);
 
   void acceptDisputed(std::span<const VotedTriangle> disputed);
   void closeSmallHoles();
@@ -75,7 +75,8 @@ class Patch {
   struct Corner {
     Index site = 0;
     std::vector<Sector> sectors;
-    std::vector<std::array<Index, 2>> settled;  // edges opposite to the site, of triangles that all fans share
+    std::vector<std::array<Index, 2>>
+        settled;  // edges opposite to the site, of triangles that all fans share
   };
 
   std::size_t localOf(Index site) const {
@@ -101,8 +102,8 @@ class Patch {
   std::unordered_map<std::uint64_t, EdgeFlaps> edges_;
 };
 
-Patch::Patch(std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> normals, const Fans& fans,
-             std::span<const VotedTriangle> disputed)
+Patch::Patch(std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> normals,
+             const Fans& fans, std::span<const VotedTriangle> disputed)
     : positions_(positions), normals_(normals), fans_(fans) {
   for (const VotedTriangle& t : disputed) sites_.insert(sites_.end(), t.corners.begin(), t.corners.end());
   std::sort(sites_.begin(), sites_.end());
@@ -187,7 +188,8 @@ void Patch::acceptDisputed(std::span<const VotedTriangle> disputed) {
   std::vector<Ranked> order;
   order.reserve(disputed.size());
   for (const VotedTriangle& t : disputed) {
-    order.push_back({t.votes, circumradiusOf(at(t.corners[0]), at(t.corners[1]), at(t.corners[2])), t.corners});
+    order.push_back(
+        {t.votes, circumradiusOf(at(t.corners[0]), at(t.corners[1]), at(t.corners[2])), t.corners});
   }
   std::sort(order.begin(), order.end(), [](const Ranked& a, const Ranked& b) {
     if (a.votes != b.votes) return a.votes > b.votes;
@@ -295,7 +297,8 @@ void Patch::flipToDelaunay() {
     if (diagonal != edges_.end() && diagonal->second.count > 0) continue;
     if (!wantsFlip(a, b, p, q)) continue;
     flip(a, b);
-    for (const auto& side : {std::array{a, p}, std::array{a, q}, std::array{b, p}, std::array{b, q}}) queue.push_back(side);
+    for (const auto& side : {std::array{a, p}, std::array{a, q}, std::array{b, p}, std::array{b, q}})
+      queue.push_back(side);
   }
 }
 
@@ -358,8 +361,9 @@ std::vector<PatchFan> Patch::replacedFans() const {
 
 }  // namespace
 
-std::vector<PatchFan> resolvePatch(std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> normals,
-                                   const Fans& fans, std::span<const VotedTriangle> disputed) {
+std::vector<PatchFan> resolvePatch(std::span<const Eigen::Vector3f> positions,
+                                   std::span<const Eigen::Vector3f> normals, const Fans& fans,
+                                   std::span<const VotedTriangle> disputed) {
   Patch patch(positions, normals, fans, disputed);
   patch.acceptDisputed(disputed);
   patch.closeSmallHoles();

@@ -23,7 +23,8 @@ struct PatchFan {
 };
 
 /// Resolves one connected set of disputed triangles; returns the fans of the sites where that succeeded.
-std::vector<PatchFan> resolvePatch(std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> normals,
-                                   const Fans& fans, std::span<const VotedTriangle> disputed);
+std::vector<PatchFan> resolvePatch(std::span<const Eigen::Vector3f> positions,
+                                   std::span<const Eigen::Vector3f> normals, const Fans& fans,
+                                   std::span<const VotedTriangle> disputed);
 
 }  // namespace stipple

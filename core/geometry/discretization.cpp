@@ -66,7 +66,7 @@ void discretizePoints(Discretization& d, Progress& progress) {
 
   progress.report(0.9, "weighing edges");
   const Stopwatch watch;
-  FanWeights weighed = weighFans(d.sites, d.fans, d.normals, d.resolved, d.options, &progress);
+  FanWeights weighed = weighFans(d.sites, d.fans, d.normals, d.options, &progress);
   d.weights = std::move(weighed.weights);
   d.mass = std::move(weighed.mass);
   d.times.assembly = {watch.seconds(), watch.cpuSeconds()};
@@ -80,7 +80,8 @@ void checkOptions(const DiscretizationOptions& options) {
   }
   const double limit = options.scheme == Scheme::kPaper ? 25 : 10;
   if (!(options.minAngle >= 0 && options.minAngle <= limit * kDegree + 1e-9)) {
-    throw InvalidInput(fmt::format("min-angle is {} degrees, expected 0 to {}", options.minAngle / kDegree, limit));
+    throw InvalidInput(
+        fmt::format("min-angle is {} degrees, expected 0 to {}", options.minAngle / kDegree, limit));
   }
 }
 

@@ -26,7 +26,8 @@ std::uint64_t mix(std::uint64_t v) {  // splitmix64, Steele et al. 2014
   return v ^ (v >> 31);
 }
 
-Eigen::Vector3f normalOf(std::span<const Eigen::Vector3f> positions, Index site, std::span<const Index> neighbors) {
+Eigen::Vector3f normalOf(std::span<const Eigen::Vector3f> positions, Index site,
+                         std::span<const Index> neighbors) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
   for (const Index j : neighbors) {
@@ -56,11 +57,12 @@ class FanBuilder {
     std::vector<Index> neighbors;
     std::vector<float> squared;
   };
-  bool clipOne(Index site, const Eigen::Vector3f& normal, std::span<const Index> neighbors, float squaredRadius,
-               double box, Scratch& scratch) const;
+  bool clipOne(Index site, const Eigen::Vector3f& normal, std::span<const Index> neighbors,
+               float squaredRadius, double box, Scratch& scratch) const;
   bool growOne(Index site, const Eigen::Vector3f& normal, Scratch& scratch) const;
 
-  // The square acts as an alpha filter: no triangle with a circumradius beyond about the distance of the 32nd neighbor.
+  // The square acts as an alpha filter: no triangle with a circumradius beyond about the distance of the 32nd
+  // neighbor.
   static constexpr int kBoxNeighbors = 32;
   static constexpr double kBoxFactor = 0.75;
 
@@ -175,9 +177,9 @@ std::vector<Eigen::Vector3f> tieBreakShifts(std::span<const Eigen::Vector3f> pos
   return shifts;
 }
 
-void mapToTangentPlane(std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> shifts, Index site,
-                       const Eigen::Vector3f& normal, std::span<const Index> neighbors, Metric metric,
-                       std::vector<PlanePoint>& points) {
+void mapToTangentPlane(std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> shifts,
+                       Index site, const Eigen::Vector3f& normal, std::span<const Index> neighbors,
+                       Metric metric, std::vector<PlanePoint>& points) {
   const TangentBasis basis = tangentBasisOf(normal);
   const Eigen::Vector3d e0 = basis.e0.cast<double>(), e1 = basis.e1.cast<double>(), n = normal.cast<double>();
   points.clear();

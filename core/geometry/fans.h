@@ -11,7 +11,8 @@
 
 namespace stipple {
 
-/// Where a neighbor lies in the tangent plane: at its distance in space (unfolded), or projected orthogonally.
+/// Where a neighbor lies in the tangent plane: at its distance in space (unfolded), or projected
+/// orthogonally.
 enum class Metric { kUnfolded, kProjected };
 
 /// One Delaunay star per site: its neighbors in cyclic order about the normal. Compressed rows.
@@ -19,9 +20,9 @@ struct Fans {
   static constexpr std::uint8_t kGapAfter = 1;  ///< no triangle between this neighbor and the next
   std::vector<Index> offsets{0};                ///< m + 1
   std::vector<Index> neighbors;
-  std::vector<std::uint8_t> flags;              ///< parallel to neighbors
-  std::vector<std::uint8_t> open;               ///< m: the star does not close round its site
-  std::vector<std::uint8_t> certified;          ///< m: no site beyond those looked at can change it
+  std::vector<std::uint8_t> flags;      ///< parallel to neighbors
+  std::vector<std::uint8_t> open;       ///< m: the star does not close round its site
+  std::vector<std::uint8_t> certified;  ///< m: no site beyond those looked at can change it
 
   Index size() const { return static_cast<Index>(offsets.size()) - 1; }
   std::span<const Index> of(Index site) const {
@@ -51,17 +52,18 @@ struct FanSet {
   FanTimes times;
 };
 
-/// Neighbors, tangent plane and star of every site, block by block, so that neighborhoods never stand in memory.
+/// Neighbors, tangent plane and star of every site, block by block, so that neighborhoods never stand in
+/// memory.
 FanSet buildFans(const Sites& sites, const FanOptions& options, const Progress* progress = nullptr);
 
-/// Coordinates of neighbors in the tangent plane of a site, by ascending norm; what lies straight above it is left out.
-/// `shifts` (may be empty) break ties: one small vector a site, the same in every fan.
-void mapToTangentPlane(std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> shifts, Index site,
-                       const Eigen::Vector3f& normal, std::span<const Index> neighbors, Metric metric,
-                       std::vector<PlanePoint>& points);
+/// Coordinates of neighbors in the tangent plane of a site, by ascending norm; what lies straight above it is
+/// left out. `shifts` (may be empty) break ties: one small vector a site, the same in every fan.
+void mapToTangentPlane(std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> shifts,
+                       Index site, const Eigen::Vector3f& normal, std::span<const Index> neighbors,
+                       Metric metric, std::vector<PlanePoint>& points);
 
-/// A shift for every site, hashed from its position, 1e-6 of the distance to the next site in spatial order: without it
-/// fans of a grid choose their diagonals each by itself.
+/// A shift for every site, hashed from its position, 1e-6 of the distance to the next site in spatial order:
+/// without it fans of a grid choose their diagonals each by itself.
 std::vector<Eigen::Vector3f> tieBreakShifts(std::span<const Eigen::Vector3f> positions);
 
 }  // namespace stipple

@@ -13,14 +13,17 @@ TangentBasis tangentBasisOf(const Eigen::Vector3f& n) {
 }
 
 // Height of the corner over the bisector of the point; above it the corner belongs to the point's cell.
-bool LocalFan::isCut(std::span<const PlanePoint> points, std::size_t corner, std::size_t by, double& height) const {
+bool LocalFan::isCut(std::span<const PlanePoint> points, std::size_t corner, std::size_t by,
+                     double& height) const {
   const Corner& c = cell_.corners[corner];
   const PlanePoint& p = points[by];
   height = c.x * p.x + c.y * p.y - 0.5 * p.squaredNorm;
-  const int before = cell_.edges[corner == 0 ? cell_.edges.size() - 1 : corner - 1], after = cell_.edges[corner];
+  const int before = cell_.edges[corner == 0 ? cell_.edges.size() - 1 : corner - 1],
+            after = cell_.edges[corner];
   const double doubt = c.error * (std::abs(p.x) + std::abs(p.y)) + 1e-15 * p.squaredNorm;
   if (std::abs(height) > doubt || before < 0 || after < 0) return height > 0;
-  return insideCircleOfOrigin(points[static_cast<std::size_t>(before)], points[static_cast<std::size_t>(after)], p) > 0;
+  return insideCircleOfOrigin(points[static_cast<std::size_t>(before)],
+                              points[static_cast<std::size_t>(after)], p) > 0;
 }
 
 // Where the bisector of `by` meets an edge whose ends have the given heights over it.
@@ -32,7 +35,8 @@ LocalFan::Corner LocalFan::meet(std::span<const PlanePoint> points, std::size_t 
     // The circumcenter of origin, p and q, from their coordinates: errors do not add up from cut to cut.
     const PlanePoint& p = points[static_cast<std::size_t>(label)];
     const double area = 2 * (p.x * q.y - p.y * q.x);
-    const double size = p.squaredNorm * (std::abs(q.x) + std::abs(q.y)) + q.squaredNorm * (std::abs(p.x) + std::abs(p.y));
+    const double size =
+        p.squaredNorm * (std::abs(q.x) + std::abs(q.y)) + q.squaredNorm * (std::abs(p.x) + std::abs(p.y));
     const Corner center{(p.squaredNorm * q.y - q.squaredNorm * p.y) / area,
                         (q.squaredNorm * p.x - p.squaredNorm * q.x) / area, 1e-15 * size / std::abs(area)};
     if (std::isfinite(center.x) && std::isfinite(center.y)) return center;
@@ -74,8 +78,8 @@ void LocalFan::clip(std::span<const PlanePoint> points, double box) {
   cell_.edges.assign({-1, -2, -3, -4});
   squaredReach_ = 2 * box * box;
   for (std::size_t p = 0; p < points.size(); ++p) {
-    // Points twice as far as the farthest corner, and all after them, leave the cell alone; the slack is that of the
-    // tie-breaking shifts, by which the norms may be out of order.
+    // Points twice as far as the farthest corner, and all after them, leave the cell alone; the slack is that
+    // of the tie-breaking shifts, by which the norms may be out of order.
     if (points[p].squaredNorm > 4.0001 * squaredReach_) break;
     cut(points, p);
   }

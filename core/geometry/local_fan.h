@@ -22,8 +22,10 @@ struct TangentBasis {
 };
 TangentBasis tangentBasisOf(const Eigen::Vector3f& normal);
 
-/// Delaunay star of the origin among points of the plane: the Voronoi cell of the origin, cut out of the square
-/// [-box, box]^2 by one bisector after another (mathematics of the fans: Section 5 of the paper; by cell clipping).
+/// Delaunay star of the origin among points of the plane: the Voronoi cell of the origin, cut out of the
+/// square
+/// [-box, box]^2 by one bisector after another (mathematics of the fans: Section 5 of the paper; by cell
+/// clipping).
 class LocalFan {
  public:
   struct Spoke {
@@ -33,8 +35,9 @@ class LocalFan {
 
   /// `points` by ascending norm, none at the origin. Signs in doubt are decided by exact predicates.
   void clip(std::span<const PlanePoint> points, double box);
-  /// Drops the far end of the shortest edge of the worst triangle while a triangle has an angle below `minAngle`, at
-  /// most 10 times, never opening the fan or leaving fewer than 4 spokes (Section 6). Removes from `points` too.
+  /// Drops the far end of the shortest edge of the worst triangle while a triangle has an angle below
+  /// `minAngle`, at most 10 times, never opening the fan or leaving fewer than 4 spokes (Section 6). Removes
+  /// from `points` too.
   void clipWithMinAngle(std::vector<PlanePoint>& points, double box, double minAngle);
 
   /// Counterclockwise; starts after a gap where there is one.
@@ -52,7 +55,8 @@ class LocalFan {
     std::vector<int> edges;       // point of the bisector that edge c lies on; negative: a side of the square
   };
   bool isCut(std::span<const PlanePoint> points, std::size_t corner, std::size_t by, double& height) const;
-  Corner meet(std::span<const PlanePoint> points, std::size_t edge, int by, double before, double after) const;
+  Corner meet(std::span<const PlanePoint> points, std::size_t edge, int by, double before,
+              double after) const;
   void cut(std::span<const PlanePoint> points, std::size_t by);
   void collectSpokes();
 
@@ -64,7 +68,8 @@ class LocalFan {
   bool open_ = false;
 };
 
-/// +1 where d lies inside the circle through the origin, a and b (counterclockwise), -1 outside, 0 on it. Exact.
+/// +1 where d lies inside the circle through the origin, a and b (counterclockwise), -1 outside, 0 on it.
+/// Exact.
 int insideCircleOfOrigin(const PlanePoint& a, const PlanePoint& b, const PlanePoint& d);
 
 }  // namespace stipple

@@ -45,13 +45,15 @@ void discretizeMesh(Discretization& d) {
     while (next < edges.size() && edges[next].from == site) {
       const Index to = edges[next].to;
       double weight = 0;
-      for (; next < edges.size() && edges[next].from == site && edges[next].to == to; ++next) weight += edges[next].weight;
+      for (; next < edges.size() && edges[next].from == site && edges[next].to == to; ++next)
+        weight += edges[next].weight;
       d.fans.neighbors.push_back(to);
       d.weights.push_back(weight);
     }
     d.fans.offsets.push_back(static_cast<Index>(d.fans.neighbors.size()));
     const bool alone = normals[site].isZero();
-    d.normals.push_back(alone ? Eigen::Vector3f::UnitZ() : Eigen::Vector3f(normals[site].normalized().cast<float>()));
+    d.normals.push_back(alone ? Eigen::Vector3f::UnitZ()
+                              : Eigen::Vector3f(normals[site].normalized().cast<float>()));
   }
   d.fans.flags.assign(d.fans.neighbors.size(), Fans::kGapAfter);
   d.fans.open.assign(count, 0);

@@ -7,8 +7,8 @@
 
 namespace stipple {
 
-/// Fills normals, fans, weights and mass of scheme mesh from d.meshTriangles: classical cotangent weights (Pinkall and
-/// Polthier 1993; negative at obtuse pairs), a third of the triangles as mass.
+/// Fills normals, fans, weights and mass of scheme mesh from d.meshTriangles: classical cotangent weights
+/// (Pinkall and Polthier 1993; negative at obtuse pairs), a third of the triangles as mass.
 void discretizeMesh(Discretization& d);
 
 }  // namespace stipple

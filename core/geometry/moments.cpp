@@ -8,7 +8,8 @@ namespace stipple {
 
 namespace {
 
-Moments fitOne(const Sites& sites, Index site, std::span<const Index> neighbors, std::span<const float> squared) {
+Moments fitOne(const Sites& sites, Index site, std::span<const Index> neighbors,
+               std::span<const float> squared) {
   const Eigen::Vector3f x = sites.positions[site];
   // Sums about the site itself, where the numbers are small.
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -34,7 +35,8 @@ Moments fitOne(const Sites& sites, Index site, std::span<const Index> neighbors,
 
 }  // namespace
 
-std::vector<Moments> fitMoments(const Sites& sites, const Neighborhoods& neighborhoods, const Progress* progress) {
+std::vector<Moments> fitMoments(const Sites& sites, const Neighborhoods& neighborhoods,
+                                const Progress* progress) {
   std::vector<Moments> moments(sites.size());
   parallelFor(
       sites.size(), 2048,

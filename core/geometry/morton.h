@@ -6,8 +6,8 @@
 
 namespace stipple {
 
-/// Cubic lattice of 2^21 cells an axis over the bounding box; a cell's Morton code interleaves its coordinates, so
-/// that the cells of every coarser power-of-two lattice are contiguous ranges of codes.
+/// Cubic lattice of 2^21 cells an axis over the bounding box; a cell's Morton code interleaves its
+/// coordinates, so that the cells of every coarser power-of-two lattice are contiguous ranges of codes.
 struct MortonLattice {
   static constexpr int kBits = 21;
   Eigen::Vector3f corner = Eigen::Vector3f::Zero();

@@ -28,7 +28,8 @@ std::size_t collectWithinLanes(const CandidateArrays& c, float x, float y, float
     if (i + lanes > c.count) near = hn::And(near, hn::FirstN(f, c.count - i));
     if (hn::AllFalse(f, near)) continue;
     hn::CompressStore(d2, near, f, squaredDistances + found);
-    found += hn::CompressStore(hn::Iota(u, static_cast<std::uint32_t>(i)), hn::RebindMask(u, near), u, slots + found);
+    found += hn::CompressStore(hn::Iota(u, static_cast<std::uint32_t>(i)), hn::RebindMask(u, near), u,
+                               slots + found);
   }
   return found;
 }

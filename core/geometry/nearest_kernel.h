@@ -12,8 +12,9 @@ struct CandidateArrays {
   std::size_t count;
 };
 
-/// Writes squared distance and slot of the candidates with squared distance in (0, limit] to (x, y, z) and returns
-/// their number. Outputs need room for count + kPadding. Vectorized for the processor found at run time.
+/// Writes squared distance and slot of the candidates with squared distance in (0, limit] to (x, y, z) and
+/// returns their number. Outputs need room for count + kPadding. Vectorized for the processor found at run
+/// time.
 std::size_t collectWithin(const CandidateArrays& candidates, float x, float y, float z, float limit,
                           float* squaredDistances, std::uint32_t* slots);
 

@@ -19,7 +19,9 @@ namespace {
 struct PositionsAdaptor {
   std::span<const Eigen::Vector3f> positions;
   std::size_t kdtree_get_point_count() const { return positions.size(); }
-  float kdtree_get_pt(std::size_t row, std::size_t axis) const { return positions[row][static_cast<int>(axis)]; }
+  float kdtree_get_pt(std::size_t row, std::size_t axis) const {
+    return positions[row][static_cast<int>(axis)];
+  }
   template <class Box>
   bool kdtree_get_bbox(Box&) const {
     return false;
@@ -34,8 +36,12 @@ using NeighborKey = std::uint64_t;
 NeighborKey makeKey(float squaredDistance, Index site) {
   return static_cast<NeighborKey>(std::bit_cast<std::uint32_t>(squaredDistance)) << 32 | site;
 }
-Index siteOf(NeighborKey key) { return static_cast<Index>(key); }
-float squaredDistanceOf(NeighborKey key) { return std::bit_cast<float>(static_cast<std::uint32_t>(key >> 32)); }
+Index siteOf(NeighborKey key) {
+  return static_cast<Index>(key);
+}
+float squaredDistanceOf(NeighborKey key) {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(key >> 32));
+}
 
 // Buffers of one thread.
 struct Scratch {
@@ -65,8 +71,8 @@ struct Scratch {
   std::size_t gathered = 0;
 };
 
-// A threshold that at least k and at most about k + 6 of the values stay below, by bisection from the count that a
-// uniform surface would have.
+// A threshold that at least k and at most about k + 6 of the values stay below, by bisection from the count
+// that a uniform surface would have.
 float thresholdFor(const float* values, std::size_t count, std::size_t k, float limit) {
   float low = 0, high = limit, middle = limit * static_cast<float>(k + 3) / static_cast<float>(count);
   for (int round = 0; round < 12 && middle > low && middle < high; ++round) {
@@ -82,14 +88,17 @@ float thresholdFor(const float* values, std::size_t count, std::size_t k, float 
 bool selectNearest(Scratch& s, const Eigen::Vector3f& position, std::size_t k, float reach) {
   if (!(reach > 0)) return false;
   const float limit = std::min(reach * reach, std::numeric_limits<float>::max());
-  const std::size_t within = collectWithin({s.x.data(), s.y.data(), s.z.data(), s.gathered}, position.x(), position.y(),
-                                           position.z(), limit, s.squaredDistances.data(), s.slots.data());
+  const std::size_t within =
+      collectWithin({s.x.data(), s.y.data(), s.z.data(), s.gathered}, position.x(), position.y(),
+                    position.z(), limit, s.squaredDistances.data(), s.slots.data());
   if (within < k) return false;
   float threshold = limit;
-  if (within > k + 6) threshold = std::isinf(reach) ? limit : thresholdFor(s.squaredDistances.data(), within, k, limit);
+  if (within > k + 6)
+    threshold = std::isinf(reach) ? limit : thresholdFor(s.squaredDistances.data(), within, k, limit);
   s.keys.clear();
   for (std::size_t c = 0; c < within; ++c) {
-    if (s.squaredDistances[c] <= threshold) s.keys.push_back(makeKey(s.squaredDistances[c], s.sites[s.slots[c]]));
+    if (s.squaredDistances[c] <= threshold)
+      s.keys.push_back(makeKey(s.squaredDistances[c], s.sites[s.slots[c]]));
   }
   if (s.keys.size() > 4 * k + 64) {
     std::nth_element(s.keys.begin(), s.keys.begin() + static_cast<std::ptrdiff_t>(k), s.keys.end());
@@ -113,8 +122,8 @@ struct NeighborSearch::Impl {
   Impl(std::span<const Eigen::Vector3f> points, int k)
       : positions(points), typicalK(std::max(k, 1)), cells(points, kPointsPerCellAndNeighbor * typicalK) {}
 
-  // A surface of density d crosses about 1.5 A / c^2 cells of size c, and the ball of radius c that a block of 27
-  // cells is sure to hold has pi d c^2 points: 1.3 times the k wanted.
+  // A surface of density d crosses about 1.5 A / c^2 cells of size c, and the ball of radius c that a block
+  // of 27 cells is sure to hold has pi d c^2 points: 1.3 times the k wanted.
   static constexpr double kPointsPerCellAndNeighbor = 0.28;
 
   std::span<const Eigen::Vector3f> positions;
@@ -192,7 +201,8 @@ struct NeighborSearch::Impl {
   }
 
   std::size_t available(int k) const {
-    return std::min<std::size_t>(static_cast<std::size_t>(std::max(k, 0)), positions.empty() ? 0 : positions.size() - 1);
+    return std::min<std::size_t>(static_cast<std::size_t>(std::max(k, 0)),
+                                 positions.empty() ? 0 : positions.size() - 1);
   }
 
   mutable std::once_flag treeBuilt;
@@ -255,7 +265,8 @@ Neighborhoods concatenate(std::vector<Neighborhoods>& parts, std::size_t sites) 
     const std::size_t base = all.neighbors.size();
     for (std::size_t r = 1; r < part.offsets.size(); ++r) all.offsets.push_back(base + part.offsets[r]);
     all.neighbors.insert(all.neighbors.end(), part.neighbors.begin(), part.neighbors.end());
-    all.squaredDistances.insert(all.squaredDistances.end(), part.squaredDistances.begin(), part.squaredDistances.end());
+    all.squaredDistances.insert(all.squaredDistances.end(), part.squaredDistances.begin(),
+                                part.squaredDistances.end());
     part = {};
   }
   return all;
@@ -290,9 +301,11 @@ Neighborhoods widenToBalls(const Neighborhoods& nearest, const NeighborSearch& s
 
 }  // namespace
 
-Neighborhoods findNeighborhoods(const Sites& sites, const NeighborhoodOptions& options, const Progress* progress) {
+Neighborhoods findNeighborhoods(const Sites& sites, const NeighborhoodOptions& options,
+                                const Progress* progress) {
   if (options.k < 1) throw InvalidInput(fmt::format("k is {}, expected at least 1", options.k));
-  if (!(options.epsilon >= 0)) throw InvalidInput(fmt::format("epsilon is {}, expected >= 0", options.epsilon));
+  if (!(options.epsilon >= 0))
+    throw InvalidInput(fmt::format("epsilon is {}, expected >= 0", options.epsilon));
   constexpr std::size_t kBlock = 4096;
   const NeighborSearch search(sites.positions, options.k);
   std::vector<Neighborhoods> parts((sites.size() + kBlock - 1) / kBlock);

@@ -25,17 +25,18 @@ struct Neighborhoods {
 };
 
 struct NeighborhoodOptions {
-  int k = 30;          ///< at least the k nearest (fewer only where the set has fewer)
-  float epsilon = 0;   ///< and, where the k-th is nearer than this, all within this distance
-  int cap = 200;       ///< a ball with more members keeps every r-th of those beyond the k nearest
+  int k = 30;         ///< at least the k nearest (fewer only where the set has fewer)
+  float epsilon = 0;  ///< and, where the k-th is nearer than this, all within this distance
+  int cap = 200;      ///< a ball with more members keeps every r-th of those beyond the k nearest
 };
 
 /// Exact k nearest neighbors, ties by index; with epsilon the rule of Section 6 of the paper.
 Neighborhoods findNeighborhoods(const Sites& sites, const NeighborhoodOptions& options,
                                 const Progress* progress = nullptr);
 
-/// Answers neighbor queries about positions in the order of weldAndOrder, which must outlive it; safe to share between
-/// threads. A hashed grid over the Morton order, a kd-tree where the density varies too much for it.
+/// Answers neighbor queries about positions in the order of weldAndOrder, which must outlive it; safe to
+/// share between threads. A hashed grid over the Morton order, a kd-tree where the density varies too much
+/// for it.
 class NeighborSearch {
  public:
   /// `typicalK` only tunes the cell size.
@@ -47,9 +48,11 @@ class NeighborSearch {
   /// Appends the k nearest of each site in [begin, end), nearest first, itself excluded: compressed rows.
   void findNearest(Index begin, Index end, int k, Neighborhoods& rows) const;
   /// The k nearest of one site.
-  void findNearest(Index site, int k, std::vector<Index>& neighbors, std::vector<float>& squaredDistances) const;
+  void findNearest(Index site, int k, std::vector<Index>& neighbors,
+                   std::vector<float>& squaredDistances) const;
   /// All others within the radius, nearest first.
-  void findWithin(Index site, float radius, std::vector<Index>& neighbors, std::vector<float>& squaredDistances) const;
+  void findWithin(Index site, float radius, std::vector<Index>& neighbors,
+                  std::vector<float>& squaredDistances) const;
 
  private:
   struct Impl;

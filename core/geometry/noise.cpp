@@ -15,7 +15,8 @@ struct LocalFit {
 };
 
 // Least squares of the height over the tangent plane by a full quadric (6 coefficients).
-std::optional<LocalFit> fitQuadric(const Sites& sites, Index site, std::span<const Index> neighbors, double radius) {
+std::optional<LocalFit> fitQuadric(const Sites& sites, Index site, std::span<const Index> neighbors,
+                                   double radius) {
   const auto count = static_cast<Eigen::Index>(neighbors.size()) + 1;
   if (count < 10 || !(radius > 0)) return std::nullopt;
   Eigen::MatrixX3d d(count, 3);
@@ -35,7 +36,8 @@ std::optional<LocalFit> fitQuadric(const Sites& sites, Index site, std::span<con
   terms << Eigen::VectorXd::Ones(count), u, v, u.cwiseProduct(u), u.cwiseProduct(v), v.cwiseProduct(v);
   const Eigen::VectorXd residual = height - terms * terms.colPivHouseholderQr().solve(height);
   const double variance = residual.squaredNorm() / static_cast<double>(count - 6);
-  return LocalFit{std::sqrt(variance) * radius, radius * std::sqrt(3.14159265358979 / static_cast<double>(count))};
+  return LocalFit{std::sqrt(variance) * radius,
+                  radius * std::sqrt(3.14159265358979 / static_cast<double>(count))};
 }
 
 }  // namespace

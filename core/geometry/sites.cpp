@@ -40,7 +40,8 @@ void sortCells(std::vector<CodedRow>& rows, std::span<const Eigen::Vector3f> pos
     std::size_t end = begin + 1;
     while (end < rows.size() && rows[end].code == rows[begin].code) ++end;
     if (end - begin > 1) {
-      std::sort(rows.begin() + static_cast<std::ptrdiff_t>(begin), rows.begin() + static_cast<std::ptrdiff_t>(end),
+      std::sort(rows.begin() + static_cast<std::ptrdiff_t>(begin),
+                rows.begin() + static_cast<std::ptrdiff_t>(end),
                 [&](const CodedRow& a, const CodedRow& b) { return key(a) < key(b); });
     }
     begin = end;

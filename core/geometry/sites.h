@@ -10,8 +10,8 @@
 namespace stipple {
 
 /// The distinct places of a point set in a spatial (Morton) order: rows of every matrix and neighbor list.
-/// Exact duplicates are welded into one site; file rows are reached through the two maps. The order depends on the
-/// positions alone, not on the order of the rows.
+/// Exact duplicates are welded into one site; file rows are reached through the two maps. The order depends
+/// on the positions alone, not on the order of the rows.
 struct Sites {
   std::vector<Eigen::Vector3f> positions;  ///< m x 3
   std::vector<Index> siteOfPoint;          ///< n: file row -> site

@@ -50,7 +50,9 @@ TEST(Sites, FiveThousandPointsAtOnePlaceAreOneSite) {
   EXPECT_EQ(sites.pointOfSite, std::vector<Index>{0});
 }
 
-TEST(Sites, NoPointsNoSites) { EXPECT_EQ(weldAndOrder({}).size(), 0u); }
+TEST(Sites, NoPointsNoSites) {
+  EXPECT_EQ(weldAndOrder({}).size(), 0u);
+}
 
 }  // namespace
 }  // namespace stipple
