@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry/fans.h"
 #include "core/geometry/sites.h"
 #include "core/progress.h"
 
@@ -13,32 +14,12 @@ namespace stipple {
 /// How stiffness and mass come from fans. voronoi: lengths of Voronoi edges, an M-matrix (scalar A). element: average of
 /// the elements of all fans (tensor A). paper: Eq. (8)-(11). mesh: cotangents of the triangles of the file.
 enum class Scheme { kVoronoi, kElement, kPaper, kMesh };
-/// Where a neighbor lies in the tangent plane: at its distance in space (unfolded), or projected orthogonally.
-enum class Metric { kUnfolded, kProjected };
-
 struct DiscretizationOptions {
   Scheme scheme = Scheme::kVoronoi;
   Metric metric = Metric::kUnfolded;
   bool consensus = true;  ///< vote the fans into one conforming triangulation where they can agree
   int k = 0;              ///< neighbors a fan starts with; 0: 16, or 60 for scheme paper
   double minAngle = 0;    ///< radians; drops neighbors of thin triangles; at most 10 degrees, 25 for scheme paper
-};
-
-/// One Delaunay star per site: its neighbors in cyclic order about the normal. Compressed rows.
-struct Fans {
-  static constexpr std::uint8_t kGapAfter = 1;  ///< no triangle between this neighbor and the next
-  std::vector<Index> offsets;                   ///< m + 1
-  std::vector<Index> neighbors;
-  std::vector<std::uint8_t> flags;              ///< parallel to neighbors
-  std::vector<std::uint8_t> open;               ///< m: the star does not close round its site
-  std::vector<std::uint8_t> certified;          ///< m: no site beyond those looked at can change it
-
-  std::span<const Index> of(Index site) const {
-    return {neighbors.data() + offsets[site], offsets[site + 1] - offsets[site]};
-  }
-  std::span<const std::uint8_t> flagsOf(Index site) const {
-    return {flags.data() + offsets[site], offsets[site + 1] - offsets[site]};
-  }
 };
 
 /// Wall clock and processor seconds of one stage.

@@ -34,7 +34,8 @@ struct NeighborhoodOptions {
 Neighborhoods findNeighborhoods(const Sites& sites, const NeighborhoodOptions& options,
                                 const Progress* progress = nullptr);
 
-/// Answers neighbor queries about one set of sites; safe to share between threads. The sites must outlive it.
+/// Answers neighbor queries about positions in the order of weldAndOrder, which must outlive it; safe to share between
+/// threads. A hashed grid over the Morton order, a kd-tree where the density varies too much for it.
 class NeighborSearch {
  public:
   /// `typicalK` only tunes the cell size.
@@ -47,6 +48,8 @@ class NeighborSearch {
   void findNearest(Index begin, Index end, int k, Neighborhoods& rows) const;
   /// The k nearest of one site.
   void findNearest(Index site, int k, std::vector<Index>& neighbors, std::vector<float>& squaredDistances) const;
+  /// All others within the radius, nearest first.
+  void findWithin(Index site, float radius, std::vector<Index>& neighbors, std::vector<float>& squaredDistances) const;
 
  private:
   struct Impl;
