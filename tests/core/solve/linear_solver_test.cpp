@@ -16,13 +16,15 @@ using testing::HasSubstr;
 using testing::ThrowsMessage;
 
 class EveryMethod : public testing::TestWithParam<SolverMethod> {};
+std::string nameOfMethod(const testing::TestParamInfo<SolverMethod>& info) {
+  constexpr std::array kNames = {"Auto", "ConjugateGradient", "Cholesky"};
+  return kNames[static_cast<std::size_t>(info.param)];
+}
+
 INSTANTIATE_TEST_SUITE_P(LinearSolver, EveryMethod,
                          testing::Values(SolverMethod::kAuto, SolverMethod::kConjugateGradient,
                                          SolverMethod::kCholesky),
-                         [](const testing::TestParamInfo<SolverMethod>& method) {
-                           constexpr std::array kNames = {"Auto", "ConjugateGradient", "Cholesky"};
-                           return std::string(kNames[static_cast<std::size_t>(method.param)]);
-                         });
+                         nameOfMethod);
 
 TEST_P(EveryMethod, SolvesEigenvectorsAndReportsTheResidual) {
   const LinearSolver solver(shiftedGridLaplacian(30, 20, 0.2), {.method = GetParam(), .tolerance = 1e-11});
