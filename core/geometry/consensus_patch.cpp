@@ -1,0 +1,297 @@
+#include "core/geometry/consensus_patch.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <unordered_map>
+
+#include "core/geometry/consensus.h"
+
+namespace stipple {
+
+namespace {
+
+constexpr double kTwoPi = 6.283185307179586;
+
+std::uint64_t edgeKey(Index a, Index b) {
+  return static_cast<std::uint64_t>(std::min(a, b)) << 32 | std::max(a, b);
+}
+
+double circumradiusOf(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+  const double area2 = (b - a).cross(c - a).norm();
+  const double product = (b - a).norm() * (c - a).norm() * (c - b).norm();
+  return area2 > 0 ? product / (2 * area2) : std::numeric_limits<double>::infinity();
+}
+
+// Triangles at an edge: at most two, by their third corners.
+struct EdgeFlaps {
+  int count = 0;
+  std::array<Index, 2> opposite{};
+};
+
+// Part of a tangent plane that a triangle takes at one corner.
+struct Sector {
+  double start, length;  // radians, counterclockwise
+};
+
+bool overlap(const Sector& a, const Sector& b) {
+  constexpr double kSlack = 1e-6;
+  double ahead = std::fmod(b.start - a.start, kTwoPi);
+  if (ahead < 0) ahead += kTwoPi;
+  return ahead < a.length - kSlack || kTwoPi - ahead < b.length - kSlack;
+}
+
+// The accepted triangles of a patch and what they occupy.
+class Patch {
+ public:
+  Patch(std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> normals, const Fans& fans,
+        std::span<const VotedTriangle> disputed);
+
+  void acceptDisputed(std::span<const VotedTriangle> disputed);
+  void closeSmallHoles();
+  std::vector<PatchFan> replacedFans() const;
+
+ private:
+  struct Corner {
+    Index site = 0;
+    std::vector<Sector> sectors;
+    std::vector<std::array<Index, 2>> links;  // edges opposite to the site
+  };
+
+  std::size_t localOf(Index site) const {
+    return static_cast<std::size_t>(std::ranges::lower_bound(sites_, site) - sites_.begin());
+  }
+  bool contains(Index site) const { return std::ranges::binary_search(sites_, site); }
+  Eigen::Vector3d at(Index site) const { return positions_[site].cast<double>(); }
+
+  void addSettled(Corner& corner);
+  Sector sectorAt(Index site, Index a, Index b) const;
+  bool foldsOver(Index a, Index b, Index third) const;
+  bool accept(const Triangle& t);
+  void closeLoop(std::vector<Index> loop);
+  std::optional<PatchFan> chainLinks(const Corner& corner) const;
+
+  std::span<const Eigen::Vector3f> positions_, normals_;
+  const Fans& fans_;
+  std::vector<Index> sites_;  // ascending
+  std::vector<Corner> corners_;
+  std::unordered_map<std::uint64_t, EdgeFlaps> edges_;
+};
+
+Patch::Patch(std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> normals, const Fans& fans,
+             std::span<const VotedTriangle> disputed)
+    : positions_(positions), normals_(normals), fans_(fans) {
+  for (const VotedTriangle& t : disputed) sites_.insert(sites_.end(), t.corners.begin(), t.corners.end());
+  std::sort(sites_.begin(), sites_.end());
+  sites_.erase(std::unique(sites_.begin(), sites_.end()), sites_.end());
+  corners_.resize(sites_.size());
+  for (std::size_t c = 0; c < sites_.size(); ++c) {
+    corners_[c].site = sites_[c];
+    addSettled(corners_[c]);
+  }
+}
+
+// The triangles of the corner's fan on which all three fans agree.
+void Patch::addSettled(Corner& corner) {
+  const auto spokes = fans_.of(corner.site);
+  const auto flags = fans_.flagsOf(corner.site);
+  for (std::size_t s = 0; s < spokes.size(); ++s) {
+    if (flags[s] & Fans::kGapAfter) continue;
+    const Index a = spokes[s], b = spokes[s + 1 == spokes.size() ? 0 : s + 1];
+    if (!hasTriangle(fans_, a, corner.site, b) || !hasTriangle(fans_, b, corner.site, a)) continue;
+    corner.links.push_back({a, b});
+    corner.sectors.push_back(sectorAt(corner.site, a, b));
+    for (const auto& [end, opposite] : {std::pair{a, b}, std::pair{b, a}}) {
+      // An edge inside the patch is seen from both ends: entered by the lower one.
+      if (contains(end) && end < corner.site) continue;
+      EdgeFlaps& flaps = edges_[edgeKey(corner.site, end)];
+      if (flaps.count < 2) flaps.opposite[static_cast<std::size_t>(flaps.count)] = opposite;
+      ++flaps.count;
+    }
+  }
+}
+
+Sector Patch::sectorAt(Index site, Index a, Index b) const {
+  const TangentBasis basis = tangentBasisOf(normals_[site]);
+  const auto angleOf = [&](Index j) {
+    const Eigen::Vector3f d = positions_[j] - positions_[site];
+    return std::atan2(static_cast<double>(d.dot(basis.e1)), static_cast<double>(d.dot(basis.e0)));
+  };
+  const double angleA = angleOf(a), angleB = angleOf(b);
+  const double turn = std::remainder(angleB - angleA, kTwoPi);
+  return turn < 0 ? Sector{angleB, -turn} : Sector{angleA, turn};
+}
+
+// The new flap would lie within 45 degrees of the one that is there.
+bool Patch::foldsOver(Index a, Index b, Index third) const {
+  constexpr double kCosine = 0.7;
+  const auto edge = edges_.find(edgeKey(a, b));
+  if (edge == edges_.end() || edge->second.count == 0) return false;
+  const Eigen::Vector3d along = (at(b) - at(a)).normalized();
+  const auto flap = [&](Index corner) -> Eigen::Vector3d {
+    const Eigen::Vector3d d = at(corner) - at(a);
+    return d - along * along.dot(d);
+  };
+  const Eigen::Vector3d old = flap(edge->second.opposite[0]), fresh = flap(third);
+  return old.dot(fresh) > kCosine * old.norm() * fresh.norm();
+}
+
+bool Patch::accept(const Triangle& t) {
+  std::array<Sector, 3> sectors{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Index here = t[c], next = t[(c + 1) % 3], last = t[(c + 2) % 3];
+    const auto edge = edges_.find(edgeKey(here, next));
+    if (edge != edges_.end() && edge->second.count >= 2) return false;
+    if (foldsOver(here, next, last)) return false;
+    sectors[c] = sectorAt(here, next, last);
+    for (const Sector& taken : corners_[localOf(here)].sectors) {
+      if (overlap(taken, sectors[c])) return false;
+    }
+  }
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Index here = t[c], next = t[(c + 1) % 3], last = t[(c + 2) % 3];
+    Corner& corner = corners_[localOf(here)];
+    corner.sectors.push_back(sectors[c]);
+    corner.links.push_back({next, last});
+    EdgeFlaps& flaps = edges_[edgeKey(here, next)];
+    flaps.opposite[static_cast<std::size_t>(flaps.count++)] = last;
+  }
+  return true;
+}
+
+void Patch::acceptDisputed(std::span<const VotedTriangle> disputed) {
+  struct Ranked {
+    int votes;
+    double radius;
+    Triangle corners;
+  };
+  std::vector<Ranked> order;
+  order.reserve(disputed.size());
+  for (const VotedTriangle& t : disputed) {
+    order.push_back({t.votes, circumradiusOf(at(t.corners[0]), at(t.corners[1]), at(t.corners[2])), t.corners});
+  }
+  std::sort(order.begin(), order.end(), [](const Ranked& a, const Ranked& b) {
+    if (a.votes != b.votes) return a.votes > b.votes;
+    if (a.radius != b.radius) return a.radius < b.radius;
+    return a.corners < b.corners;
+  });
+  for (const Ranked& t : order) accept(t.corners);
+}
+
+// Loops of at most 12 edges with one triangle each, between sites whose own fans expect no boundary.
+void Patch::closeSmallHoles() {
+  constexpr std::size_t kLongest = 12;
+  std::unordered_map<Index, std::vector<Index>> rim;
+  for (const Corner& corner : corners_) {
+    for (const auto& link : corner.links) {
+      for (const Index end : link) {
+        if (!contains(end) || edges_.at(edgeKey(corner.site, end)).count != 1) continue;
+        auto& next = rim[corner.site];
+        if (std::ranges::find(next, end) == next.end()) next.push_back(end);
+      }
+    }
+  }
+  std::vector<std::uint8_t> visited(sites_.size(), 0);
+  for (const Index start : sites_) {
+    if (visited[localOf(start)] || !rim.contains(start)) continue;
+    std::vector<Index> loop;
+    bool usable = true;
+    Index previous = start, here = start;
+    do {
+      const auto& next = rim[here];
+      usable = next.size() == 2 && !fans_.open[here] && loop.size() < kLongest;
+      if (!usable) break;
+      loop.push_back(here);
+      const Index forward = next[0] == previous ? next[1] : next[0];
+      previous = here;
+      here = forward;
+    } while (here != start);
+    for (const Index site : loop) visited[localOf(site)] = 1;
+    if (usable && loop.size() >= 3) closeLoop(std::move(loop));
+  }
+}
+
+// Cuts ears off the loop, that of the smallest circumradius first.
+void Patch::closeLoop(std::vector<Index> loop) {
+  while (loop.size() >= 3) {
+    std::vector<std::pair<double, std::size_t>> ears;
+    for (std::size_t e = 0; e < loop.size(); ++e) {
+      const Index a = loop[(e + loop.size() - 1) % loop.size()], b = loop[e], c = loop[(e + 1) % loop.size()];
+      const auto chord = edges_.find(edgeKey(a, c));
+      const bool taken = loop.size() > 3 && chord != edges_.end() && chord->second.count > 0;
+      if (!taken) ears.emplace_back(circumradiusOf(at(a), at(b), at(c)), e);
+    }
+    std::sort(ears.begin(), ears.end());
+    const auto cut = std::ranges::find_if(ears, [&](const auto& ear) {
+      const std::size_t e = ear.second;
+      return accept({loop[(e + loop.size() - 1) % loop.size()], loop[e], loop[(e + 1) % loop.size()]});
+    });
+    if (cut == ears.end() || loop.size() == 3) return;
+    loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(cut->second));
+  }
+}
+
+// One cycle of all links, or one chain where the site's own fan was open.
+std::optional<PatchFan> Patch::chainLinks(const Corner& corner) const {
+  if (corner.links.empty()) return std::nullopt;
+  std::unordered_map<Index, std::vector<Index>> next;
+  for (const auto& [a, b] : corner.links) {
+    next[a].push_back(b);
+    next[b].push_back(a);
+  }
+  std::vector<Index> ends;
+  for (const auto& [spoke, linked] : next) {
+    if (linked.size() > 2) return std::nullopt;
+    if (linked.size() == 1) ends.push_back(spoke);
+  }
+  const bool open = !ends.empty();
+  if (open && (ends.size() != 2 || !fans_.open[corner.site])) return std::nullopt;
+
+  PatchFan fan{corner.site, open, {}};
+  Index previous = corner.site;
+  Index here = open ? std::min(ends[0], ends[1]) : corner.links[0][0];
+  const Index start = here;
+  do {
+    fan.spokes.push_back(here);
+    const auto& linked = next[here];
+    const Index forward = linked[0] != previous ? linked[0] : (linked.size() > 1 ? linked[1] : start);
+    previous = here;
+    here = forward;
+  } while (here != start && fan.spokes.size() <= next.size());
+  if (fan.spokes.size() != next.size() || (!open && fan.spokes.size() < 3)) return std::nullopt;
+  return fan;
+}
+
+std::vector<PatchFan> Patch::replacedFans() const {
+  std::vector<PatchFan> fans;
+  for (const Corner& corner : corners_) {
+    std::optional<PatchFan> fan = chainLinks(corner);
+    if (!fan) continue;
+    // Counterclockwise about the normal: the turns from spoke to spoke add up to a positive angle.
+    double turned = 0;
+    const std::size_t triangles = fan->spokes.size() - (fan->open ? 1 : 0);
+    const Eigen::Vector3d normal = normals_[corner.site].cast<double>();
+    for (std::size_t s = 0; s < triangles; ++s) {
+      const Eigen::Vector3d a = at(fan->spokes[s]) - at(corner.site);
+      const Eigen::Vector3d b = at(fan->spokes[(s + 1) % fan->spokes.size()]) - at(corner.site);
+      turned += normal.dot(a.normalized().cross(b.normalized()));
+    }
+    if (turned < 0) std::reverse(fan->spokes.begin(), fan->spokes.end());
+    fans.push_back(std::move(*fan));
+  }
+  return fans;
+}
+
+}  // namespace
+
+std::vector<PatchFan> resolvePatch(std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> normals,
+                                   const Fans& fans, std::span<const VotedTriangle> disputed) {
+  Patch patch(positions, normals, fans, disputed);
+  patch.acceptDisputed(disputed);
+  patch.closeSmallHoles();
+  return patch.replacedFans();
+}
+
+}  // namespace stipple
