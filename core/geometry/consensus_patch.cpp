@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -25,10 +26,26 @@ double circumradiusOf(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const 
   return area2 > 0 ? product / (2 * area2) : std::numeric_limits<double>::infinity();
 }
 
-// Triangles at an edge: at most two, by their third corners.
+constexpr int kSettled = -1;
+
+// Triangles at an edge: at most two, by their third corners; `triangle` is their place in the accepted list.
 struct EdgeFlaps {
   int count = 0;
   std::array<Index, 2> opposite{};
+  std::array<int, 2> triangle{kSettled, kSettled};
+
+  void add(Index third, int id) {
+    if (count < 2) {
+      opposite[static_cast<std::size_t>(count)] = third;
+      triangle[static_cast<std::size_t>(count)] = id;
+    }
+    ++count;
+  }
+  void replace(Index oldThird, Index newThird, int id) {
+    const std::size_t side = opposite[0] == oldThird ? 0 : 1;
+    opposite[side] = newThird;
+    triangle[side] = id;
+  }
 };
 
 // Part of a tangent plane that a triangle takes at one corner.
@@ -51,13 +68,14 @@ class Patch {
 
   void acceptDisputed(std::span<const VotedTriangle> disputed);
   void closeSmallHoles();
+  void flipToDelaunay();
   std::vector<PatchFan> replacedFans() const;
 
  private:
   struct Corner {
     Index site = 0;
     std::vector<Sector> sectors;
-    std::vector<std::array<Index, 2>> links;  // edges opposite to the site
+    std::vector<std::array<Index, 2>> settled;  // edges opposite to the site, of triangles that all fans share
   };
 
   std::size_t localOf(Index site) const {
@@ -71,12 +89,15 @@ class Patch {
   bool foldsOver(Index a, Index b, Index third) const;
   bool accept(const Triangle& t);
   void closeLoop(std::vector<Index> loop);
-  std::optional<PatchFan> chainLinks(const Corner& corner) const;
+  bool wantsFlip(Index a, Index b, Index p, Index q) const;
+  void flip(Index a, Index b);
+  std::optional<PatchFan> chainLinks(Index site, std::span<const std::array<Index, 2>> links) const;
 
   std::span<const Eigen::Vector3f> positions_, normals_;
   const Fans& fans_;
   std::vector<Index> sites_;  // ascending
   std::vector<Corner> corners_;
+  std::vector<Triangle> accepted_;
   std::unordered_map<std::uint64_t, EdgeFlaps> edges_;
 };
 
@@ -101,14 +122,12 @@ void Patch::addSettled(Corner& corner) {
     if (flags[s] & Fans::kGapAfter) continue;
     const Index a = spokes[s], b = spokes[s + 1 == spokes.size() ? 0 : s + 1];
     if (!hasTriangle(fans_, a, corner.site, b) || !hasTriangle(fans_, b, corner.site, a)) continue;
-    corner.links.push_back({a, b});
+    corner.settled.push_back({a, b});
     corner.sectors.push_back(sectorAt(corner.site, a, b));
     for (const auto& [end, opposite] : {std::pair{a, b}, std::pair{b, a}}) {
       // An edge inside the patch is seen from both ends: entered by the lower one.
       if (contains(end) && end < corner.site) continue;
-      EdgeFlaps& flaps = edges_[edgeKey(corner.site, end)];
-      if (flaps.count < 2) flaps.opposite[static_cast<std::size_t>(flaps.count)] = opposite;
-      ++flaps.count;
+      edges_[edgeKey(corner.site, end)].add(opposite, kSettled);
     }
   }
 }
@@ -152,12 +171,10 @@ bool Patch::accept(const Triangle& t) {
   }
   for (std::size_t c = 0; c < 3; ++c) {
     const Index here = t[c], next = t[(c + 1) % 3], last = t[(c + 2) % 3];
-    Corner& corner = corners_[localOf(here)];
-    corner.sectors.push_back(sectors[c]);
-    corner.links.push_back({next, last});
-    EdgeFlaps& flaps = edges_[edgeKey(here, next)];
-    flaps.opposite[static_cast<std::size_t>(flaps.count++)] = last;
+    corners_[localOf(here)].sectors.push_back(sectors[c]);
+    edges_[edgeKey(here, next)].add(last, static_cast<int>(accepted_.size()));
   }
+  accepted_.push_back(t);
   return true;
 }
 
@@ -184,15 +201,13 @@ void Patch::acceptDisputed(std::span<const VotedTriangle> disputed) {
 void Patch::closeSmallHoles() {
   constexpr std::size_t kLongest = 12;
   std::unordered_map<Index, std::vector<Index>> rim;
-  for (const Corner& corner : corners_) {
-    for (const auto& link : corner.links) {
-      for (const Index end : link) {
-        if (!contains(end) || edges_.at(edgeKey(corner.site, end)).count != 1) continue;
-        auto& next = rim[corner.site];
-        if (std::ranges::find(next, end) == next.end()) next.push_back(end);
-      }
-    }
+  for (const auto& [key, flaps] : edges_) {
+    const auto low = static_cast<Index>(key >> 32), high = static_cast<Index>(key);
+    if (flaps.count != 1 || !contains(low) || !contains(high)) continue;
+    rim[low].push_back(high);
+    rim[high].push_back(low);
   }
+  for (auto& [site, next] : rim) std::sort(next.begin(), next.end());
   std::vector<std::uint8_t> visited(sites_.size(), 0);
   for (const Index start : sites_) {
     if (visited[localOf(start)] || !rim.contains(start)) continue;
@@ -233,11 +248,62 @@ void Patch::closeLoop(std::vector<Index> loop) {
   }
 }
 
+// The angles that face the edge add up to more than pi, and the two triangles are nearly in one plane.
+bool Patch::wantsFlip(Index a, Index b, Index p, Index q) const {
+  constexpr double kFlat = 0.8;
+  const Eigen::Vector3d pa = at(a) - at(p), pb = at(b) - at(p), qa = at(a) - at(q), qb = at(b) - at(q);
+  const Eigen::Vector3d normalP = pa.cross(pb), normalQ = qb.cross(qa);
+  const double sineP = normalP.norm(), sineQ = normalQ.norm();
+  if (!(sineP > 0) || !(sineQ > 0)) return false;
+  if (normalP.dot(normalQ) < kFlat * sineP * sineQ) return false;
+  return pa.dot(pb) * sineQ + qa.dot(qb) * sineP < -1e-9 * sineP * sineQ;
+}
+
+void Patch::flip(Index a, Index b) {
+  const EdgeFlaps old = edges_.at(edgeKey(a, b));
+  const auto [p, q] = old.opposite;
+  const auto [atP, atQ] = old.triangle;
+  edges_.erase(edgeKey(a, b));
+  accepted_[static_cast<std::size_t>(atP)] = {p, q, a};
+  accepted_[static_cast<std::size_t>(atQ)] = {p, q, b};
+  edges_.at(edgeKey(a, p)).replace(b, q, atP);
+  edges_.at(edgeKey(a, q)).replace(b, p, atP);
+  edges_.at(edgeKey(b, p)).replace(a, q, atQ);
+  edges_.at(edgeKey(b, q)).replace(a, p, atQ);
+  EdgeFlaps& fresh = edges_[edgeKey(p, q)];
+  fresh = {};
+  fresh.add(a, atP);
+  fresh.add(b, atQ);
+}
+
+// Votes and radii pick a diagonal of a quadrilateral by chance where fans disagree; the Delaunay one has the
+// nonnegative weight.
+void Patch::flipToDelaunay() {
+  std::vector<std::array<Index, 2>> queue;
+  for (const Triangle& t : accepted_) {
+    for (std::size_t c = 0; c < 3; ++c) queue.push_back({t[c], t[(c + 1) % 3]});
+  }
+  // Each flip lowers the energy of the triangulation in the plane; the bound only guards against rounding.
+  for (std::size_t done = 0, most = 20 * queue.size(); done < queue.size() && done < most; ++done) {
+    const auto [a, b] = queue[done];
+    const auto edge = edges_.find(edgeKey(a, b));
+    if (edge == edges_.end() || edge->second.count != 2) continue;
+    const auto [p, q] = edge->second.opposite;
+    const auto [atP, atQ] = edge->second.triangle;
+    if (atP == kSettled || atQ == kSettled || p == q) continue;
+    const auto diagonal = edges_.find(edgeKey(p, q));
+    if (diagonal != edges_.end() && diagonal->second.count > 0) continue;
+    if (!wantsFlip(a, b, p, q)) continue;
+    flip(a, b);
+    for (const auto& side : {std::array{a, p}, std::array{a, q}, std::array{b, p}, std::array{b, q}}) queue.push_back(side);
+  }
+}
+
 // One cycle of all links, or one chain where the site's own fan was open.
-std::optional<PatchFan> Patch::chainLinks(const Corner& corner) const {
-  if (corner.links.empty()) return std::nullopt;
+std::optional<PatchFan> Patch::chainLinks(Index site, std::span<const std::array<Index, 2>> links) const {
+  if (links.empty()) return std::nullopt;
   std::unordered_map<Index, std::vector<Index>> next;
-  for (const auto& [a, b] : corner.links) {
+  for (const auto& [a, b] : links) {
     next[a].push_back(b);
     next[b].push_back(a);
   }
@@ -247,11 +313,11 @@ std::optional<PatchFan> Patch::chainLinks(const Corner& corner) const {
     if (linked.size() == 1) ends.push_back(spoke);
   }
   const bool open = !ends.empty();
-  if (open && (ends.size() != 2 || !fans_.open[corner.site])) return std::nullopt;
+  if (open && (ends.size() != 2 || !fans_.open[site])) return std::nullopt;
 
-  PatchFan fan{corner.site, open, {}};
-  Index previous = corner.site;
-  Index here = open ? std::min(ends[0], ends[1]) : corner.links[0][0];
+  PatchFan fan{site, open, {}};
+  Index previous = site;
+  Index here = open ? std::min(ends[0], ends[1]) : links[0][0];
   const Index start = here;
   do {
     fan.spokes.push_back(here);
@@ -265,17 +331,23 @@ std::optional<PatchFan> Patch::chainLinks(const Corner& corner) const {
 }
 
 std::vector<PatchFan> Patch::replacedFans() const {
+  std::vector<std::vector<std::array<Index, 2>>> links(sites_.size());
+  for (std::size_t c = 0; c < sites_.size(); ++c) links[c] = corners_[c].settled;
+  for (const Triangle& t : accepted_) {
+    for (std::size_t c = 0; c < 3; ++c) links[localOf(t[c])].push_back({t[(c + 1) % 3], t[(c + 2) % 3]});
+  }
   std::vector<PatchFan> fans;
-  for (const Corner& corner : corners_) {
-    std::optional<PatchFan> fan = chainLinks(corner);
+  for (std::size_t c = 0; c < sites_.size(); ++c) {
+    const Index site = sites_[c];
+    std::optional<PatchFan> fan = chainLinks(site, links[c]);
     if (!fan) continue;
-    // Counterclockwise about the normal: the turns from spoke to spoke add up to a positive angle.
+    // Counterclockwise about the normal: the turns from spoke to spoke add up to a positive number.
     double turned = 0;
     const std::size_t triangles = fan->spokes.size() - (fan->open ? 1 : 0);
-    const Eigen::Vector3d normal = normals_[corner.site].cast<double>();
+    const Eigen::Vector3d normal = normals_[site].cast<double>();
     for (std::size_t s = 0; s < triangles; ++s) {
-      const Eigen::Vector3d a = at(fan->spokes[s]) - at(corner.site);
-      const Eigen::Vector3d b = at(fan->spokes[(s + 1) % fan->spokes.size()]) - at(corner.site);
+      const Eigen::Vector3d a = at(fan->spokes[s]) - at(site);
+      const Eigen::Vector3d b = at(fan->spokes[(s + 1) % fan->spokes.size()]) - at(site);
       turned += normal.dot(a.normalized().cross(b.normalized()));
     }
     if (turned < 0) std::reverse(fan->spokes.begin(), fan->spokes.end());
@@ -291,6 +363,7 @@ std::vector<PatchFan> resolvePatch(std::span<const Eigen::Vector3f> positions, s
   Patch patch(positions, normals, fans, disputed);
   patch.acceptDisputed(disputed);
   patch.closeSmallHoles();
+  patch.flipToDelaunay();
   return patch.replacedFans();
 }
 

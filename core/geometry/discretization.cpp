@@ -15,20 +15,6 @@ namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
 
-void check(const PointSet& points, const DiscretizationOptions& options) {
-  if (points.size() == 0) throw InvalidInput("there are no points to discretize");
-  if (options.k != 0 && (options.k < 6 || options.k > 1000)) {
-    throw InvalidInput(fmt::format("k is {}, expected 0 or 6 to 1000", options.k));
-  }
-  const double limit = options.scheme == Scheme::kPaper ? 25 : 10;
-  if (!(options.minAngle >= 0 && options.minAngle <= limit * kDegree + 1e-9)) {
-    throw InvalidInput(fmt::format("min-angle is {} degrees, expected 0 to {}", options.minAngle / kDegree, limit));
-  }
-  if (options.scheme == Scheme::kMesh && points.triangles().empty()) {
-    throw InvalidInput("scheme mesh needs triangles and the points have none");
-  }
-}
-
 FanOptions fanOptionsFor(const DiscretizationOptions& options) {
   FanOptions fans{.metric = options.metric, .minAngle = options.minAngle};
   if (options.k != 0) fans.k = options.k;
@@ -88,8 +74,22 @@ void discretizePoints(Discretization& d, Progress& progress) {
 
 }  // namespace
 
+void checkOptions(const DiscretizationOptions& options) {
+  if (options.k != 0 && (options.k < 6 || options.k > 1000)) {
+    throw InvalidInput(fmt::format("k is {}, expected 0 or 6 to 1000", options.k));
+  }
+  const double limit = options.scheme == Scheme::kPaper ? 25 : 10;
+  if (!(options.minAngle >= 0 && options.minAngle <= limit * kDegree + 1e-9)) {
+    throw InvalidInput(fmt::format("min-angle is {} degrees, expected 0 to {}", options.minAngle / kDegree, limit));
+  }
+}
+
 Discretization discretize(const PointSet& points, const DiscretizationOptions& options, Progress& progress) {
-  check(points, options);
+  if (points.size() == 0) throw InvalidInput("there are no points to discretize");
+  checkOptions(options);
+  if (options.scheme == Scheme::kMesh && points.triangles().empty()) {
+    throw InvalidInput("scheme mesh needs triangles and the points have none");
+  }
   progress.report(0, "ordering points");
   Discretization d;
   d.options = options;

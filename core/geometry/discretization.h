@@ -49,6 +49,9 @@ struct Discretization {
   Index size() const { return sites.size(); }
 };
 
+/// Throws InvalidInput where a value is out of range.
+void checkOptions(const DiscretizationOptions& options);
+
 /// Throws InvalidInput where scheme mesh is asked for and there are no triangles, or a value is out of range.
 Discretization discretize(const PointSet& points, const DiscretizationOptions& options, Progress& progress);
 

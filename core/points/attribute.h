@@ -20,13 +20,14 @@ struct Rgba8 {
 };
 
 /// The closed set of value types. The order of the alternatives is the order of AttributeType.
-using AttributeValues = std::variant<std::vector<float>, std::vector<double>, std::vector<std::int32_t>,
-                                     std::vector<std::uint32_t>, std::vector<Eigen::Vector3f>, std::vector<Rgba8>>;
+using AttributeValues =
+    std::variant<std::vector<float>, std::vector<double>, std::vector<std::int32_t>,
+                 std::vector<std::uint32_t>, std::vector<Eigen::Vector3f>, std::vector<Rgba8>>;
 enum class AttributeType { kFloat, kDouble, kInt, kUint, kVector3, kColor };
 
 template <class T>
 concept AttributeValue = std::same_as<T, float> || std::same_as<T, double> || std::same_as<T, std::int32_t> ||
-                         std::same_as<T, std::uint32_t> || std::same_as<T, Eigen::Vector3f> || std::same_as<T, Rgba8>;
+    std::same_as<T, std::uint32_t> || std::same_as<T, Eigen::Vector3f> || std::same_as<T, Rgba8>;
 
 /// "float", "double", "int", "uint", "vector3", "color".
 const char* nameOf(AttributeType type);
@@ -40,6 +41,7 @@ struct FileProperty {
   std::string name;
   ScalarType type = ScalarType::kFloat32;
   bool hasAlpha = false;  ///< colors only: the file had an alpha channel
+  friend bool operator==(const FileProperty&, const FileProperty&) = default;
 };
 
 /// Identity of one state of a column. Never reused; renewed on every write access.

@@ -5,26 +5,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/points/row_compaction.h"
+
 namespace stipple {
 
 namespace {
-
-// Stable compaction of one column.
-void removeFrom(AttributeValues& values, std::span<const Index> rows) {
-  std::visit(
-      [&](auto& column) {
-        std::size_t kept = rows.empty() ? column.size() : rows.front(), next = 0;
-        for (std::size_t row = kept; row < column.size(); ++row) {
-          if (next < rows.size() && rows[next] == row) {
-            ++next;
-          } else {
-            column[kept++] = column[row];
-          }
-        }
-        column.resize(kept);
-      },
-      values);
-}
 
 std::size_t lengthOf(const AttributeValues& values) {
   return std::visit([](const auto& column) { return column.size(); }, values);
@@ -32,9 +17,12 @@ std::size_t lengthOf(const AttributeValues& values) {
 
 template <class T>
 T absentValue() {
-  if constexpr (std::is_same_v<T, Rgba8>) return {255, 255, 255, 255};
-  else if constexpr (std::is_same_v<T, Eigen::Vector3f>) return Eigen::Vector3f::Zero();
-  else return T{};
+  if constexpr (std::is_same_v<T, Rgba8>)
+    return {255, 255, 255, 255};
+  else if constexpr (std::is_same_v<T, Eigen::Vector3f>)
+    return Eigen::Vector3f::Zero();
+  else
+    return T{};
 }
 
 }  // namespace
@@ -55,8 +43,8 @@ const Attribute& PointSet::require(std::string_view name, AttributeType type) co
   const Attribute* attribute = find(name);
   if (!attribute) throw InvalidInput(fmt::format("there is no attribute '{}'", name));
   if (attribute->type() != type) {
-    throw InvalidInput(
-        fmt::format("attribute '{}' is of type {}, expected {}", name, nameOf(attribute->type()), nameOf(type)));
+    throw InvalidInput(fmt::format("attribute '{}' is of type {}, expected {}", name,
+                                   nameOf(attribute->type()), nameOf(type)));
   }
   return *attribute;
 }
@@ -66,7 +54,8 @@ void PointSet::set(std::string_view name, AttributeValues values) {
   const bool sameType = old && old->column.values().index() == values.index();
   FileProperty file = sameType ? old->file : FileProperty{};
   if (!sameType && std::holds_alternative<std::vector<std::int32_t>>(values)) file.type = ScalarType::kInt32;
-  if (!sameType && std::holds_alternative<std::vector<std::uint32_t>>(values)) file.type = ScalarType::kUint32;
+  if (!sameType && std::holds_alternative<std::vector<std::uint32_t>>(values))
+    file.type = ScalarType::kUint32;
   if (!sameType && std::holds_alternative<std::vector<double>>(values)) file.type = ScalarType::kFloat64;
   set(name, std::move(values), std::move(file));
 }
@@ -83,8 +72,9 @@ void PointSet::insert(Attribute attribute, std::size_t position) {
   if (Attribute* old = find(attribute.name)) {
     *old = std::move(attribute);
   } else {
-    attributes_.insert(attributes_.begin() + static_cast<std::ptrdiff_t>(std::min(position, attributes_.size())),
-                       std::move(attribute));
+    attributes_.insert(
+        attributes_.begin() + static_cast<std::ptrdiff_t>(std::min(position, attributes_.size())),
+        std::move(attribute));
   }
 }
 
@@ -105,11 +95,7 @@ void PointSet::setTriangles(std::vector<Triangle> triangles) {
 
 void PointSet::removeRows(std::span<const Index> rows) {
   if (rows.empty()) return;
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    if (rows[r] >= size() || (r > 0 && rows[r] <= rows[r - 1])) {
-      throw InvalidInput(fmt::format("row {} to remove is {}, expected ascending and below {}", r, rows[r], size()));
-    }
-  }
+  checkRowsToRemove(rows, size());
   if (!triangles_->empty()) {
     constexpr Index kGone = static_cast<Index>(-1);
     std::vector<Index> newRow(size());
@@ -126,14 +112,16 @@ void PointSet::removeRows(std::span<const Index> rows) {
     }
     triangles_ = std::make_shared<std::vector<Triangle>>(std::move(kept));
   }
-  removeFrom(positions_.edit(), rows);
-  for (Attribute& attribute : attributes_) removeFrom(attribute.column.edit(), rows);
+  const auto compact = [&](auto& column) { removeRowsFrom(column, rows); };
+  std::visit(compact, positions_.edit());
+  for (Attribute& attribute : attributes_) std::visit(compact, attribute.column.edit());
   topologyId_ = newColumnId();
 }
 
 void PointSet::appendRows(const PointSet& more) {
   if (more.origin_ != origin_) throw InvalidInput("appended points have another origin");
   if (more.size() == 0) return;
+  if (&more == this) return appendRows(PointSet(more));
   for (Attribute& attribute : attributes_) {
     const Attribute* source = more.find(attribute.name);
     std::visit(

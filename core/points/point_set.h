@@ -15,13 +15,14 @@ namespace stipple {
 /// Rows of the three corners.
 using Triangle = std::array<Index, 3>;
 
-/// A surface given as points: positions (n x 3, float, relative to a double origin), named attributes of n rows,
-/// optionally the triangles of its file. A value: copies share columns until one of them writes.
-/// Rows are in the order of the file; there is no hidden reordering.
+/// A surface given as points: positions (n x 3, float, relative to a double origin), named attributes of n
+/// rows, optionally the triangles of its file. A value: copies share columns until one of them writes. Rows
+/// are in the order of the file; there is no hidden reordering.
 class PointSet {
  public:
   PointSet() : PointSet(std::vector<Eigen::Vector3f>{}) {}
-  explicit PointSet(std::vector<Eigen::Vector3f> positions, const Eigen::Vector3d& origin = Eigen::Vector3d::Zero(),
+  explicit PointSet(std::vector<Eigen::Vector3f> positions,
+                    const Eigen::Vector3d& origin = Eigen::Vector3d::Zero(),
                     ScalarType fileType = ScalarType::kFloat32);
 
   Index size() const { return positions_.size(); }
@@ -46,7 +47,8 @@ class PointSet {
   }
   template <AttributeValue T>
   std::span<T> edit(std::string_view name) {
-    return const_cast<Attribute&>(require(name, Column(std::vector<T>{}).type())).column.template editView<T>();
+    return const_cast<Attribute&>(require(name, Column(std::vector<T>{}).type()))
+        .column.template editView<T>();
   }
   /// Adds the attribute or replaces its values, keeping the file property where the type stays the same.
   /// Throws InvalidInput where the length differs from size().
@@ -71,7 +73,7 @@ class PointSet {
   void appendRows(const PointSet& more);
 
  private:
-  friend class RowEdit;  // puts removed rows back (edit.cpp)
+  friend class Edit;  // exchanges triangle list and topology when it puts rows back
   const Attribute& require(std::string_view name, AttributeType type) const;
 
   Column positions_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace stipple {
@@ -31,12 +32,27 @@ std::span<const std::uint8_t> Region::mask() const {
   return mask_ ? std::span<const std::uint8_t>(*mask_) : std::span<const std::uint8_t>();
 }
 
+Index Region::count(Index size) const {
+  return mask_ ? static_cast<Index>(mask_->size() - std::ranges::count(*mask_, 0)) : size;
+}
+
 std::vector<Index> Region::rows(Index size) const {
   std::vector<Index> inside;
   for (Index row = 0; row < size; ++row) {
     if (contains(row)) inside.push_back(row);
   }
   return inside;
+}
+
+Region regionOfRows(const PointSet& points, std::span<const Index> rows) {
+  std::vector<std::uint8_t> mask(points.size());
+  for (const Index row : rows) {
+    if (row >= points.size()) {
+      throw InvalidInput(fmt::format("row {} of the region is not below {}", row, points.size()));
+    }
+    mask[row] = 1;
+  }
+  return Region(points, std::move(mask));
 }
 
 Region regionWhereNotZero(const PointSet& points, std::string_view attribute) {

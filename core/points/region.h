@@ -23,7 +23,8 @@ class Region {
   bool contains(Index row) const { return !mask_ || (*mask_)[row] != 0; }
   /// Empty where the region is everything.
   std::span<const std::uint8_t> mask() const;
-  /// The rows inside, ascending, of a point set of `size` rows.
+  /// How many rows of a point set of `size` rows are inside; these rows, ascending.
+  Index count(Index size) const;
   std::vector<Index> rows(Index size) const;
   /// Rows still mean what they meant when the region was made.
   bool fits(const PointSet& points) const { return !mask_ || topologyId_ == points.topologyId(); }
@@ -33,8 +34,11 @@ class Region {
   ColumnId topologyId_ = 0;
 };
 
-/// The rows where the attribute is not 0: a vector of any length but 0, a color other than black.
-/// Throws InvalidInput where there is no such attribute.
+/// The rows in any order, repeated or not. Throws InvalidInput where one is not a row.
+Region regionOfRows(const PointSet& points, std::span<const Index> rows);
+
+/// The rows where the attribute is not 0 (NaN is not): a vector of any length but 0, a color other than
+/// black. Throws InvalidInput where there is no such attribute.
 Region regionWhereNotZero(const PointSet& points, std::string_view attribute);
 
 }  // namespace stipple

@@ -23,7 +23,8 @@ inline std::vector<Eigen::Vector3f> randomSphere(std::size_t count, std::uint64_
 }
 
 /// side x side points of the unit square, turned by a rotation.
-inline std::vector<Eigen::Vector3f> grid(int side, const Eigen::Matrix3f& rotation = Eigen::Matrix3f::Identity()) {
+inline std::vector<Eigen::Vector3f> grid(int side,
+                                         const Eigen::Matrix3f& rotation = Eigen::Matrix3f::Identity()) {
   std::vector<Eigen::Vector3f> points;
   for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x) {

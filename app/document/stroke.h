@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/points/point_set.h"
+#include "core/progress.h"
+
+namespace stipple {
+
+enum class StrokeTool { kPaint, kErase };
+
+/// One touch of the brush: a place in file coordinates and a pressure in [0, 1] that scales the strength.
+struct Dab {
+  Eigen::Vector3d position;
+  double pressure = 1;
+};
+
+/// A brush stroke without a camera. `value` has 1 number for float and integer attributes, 3 for vectors, 3
+/// or 4 in 0..255 for colors; erasing needs none.
+struct Stroke {
+  StrokeTool tool = StrokeTool::kPaint;
+  std::string attribute;
+  std::vector<double> value = {};
+  double radius = 0;    ///< length along the surface, > 0
+  double strength = 1;  ///< share of the value that a dab lays down at its center, in (0, 1]
+  std::vector<Dab> dabs = {};
+};
+
+/// The points with the stroke laid down. A dab starts at the point nearest to it and reaches the points
+/// within `radius` along the surface (shortest paths over the 12 nearest neighbors). Integers inside are set;
+/// floats, vectors and colors blend toward the value with a smooth falloff. Erasing paints 0, or white for
+/// colors. A missing attribute is made: colors for 3 or 4 numbers, otherwise int where the value is whole and
+/// float where not. Throws InvalidInput where the value does not suit the attribute.
+PointSet applyStroke(const PointSet& points, const Stroke& stroke, Progress& progress);
+
+}  // namespace stipple

@@ -1,0 +1,56 @@
+#include "app/document/surface_distance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace stipple {
+namespace {
+
+// A half cylinder of radius 1 about the y axis: unrolled, it is a plane of width pi.
+PointSet halfCylinder(int around, int along) {
+  std::vector<Eigen::Vector3f> positions;
+  for (int i = 0; i <= around; ++i) {
+    for (int j = 0; j <= along; ++j) {
+      const double angle = std::numbers::pi * i / around;
+      positions.emplace_back(std::cos(angle), double(j) / along, std::sin(angle));
+    }
+  }
+  return PointSet(std::move(positions));
+}
+
+TEST(SurfaceDistance, FollowsTheSurfaceAndNotTheSpace) {
+  const PointSet points = halfCylinder(100, 30);
+  const SurfaceDistance surface(points);
+  const Index start = surface.findNearest({1.0f, 0.5f, 0.0f});
+  const float radius = 2.5f;  // the other rim is 2 away in space, pi along the surface
+  std::vector<float> distance(points.size(), INFINITY);
+  float last = 0;
+  for (const Reached& reached : surface.findWithin(start, radius)) {
+    EXPECT_GE(reached.distance, last);
+    last = reached.distance;
+    distance[reached.site] = reached.distance;
+  }
+  for (Index site = 0; site < surface.sites().size(); ++site) {
+    const Eigen::Vector3f& p = surface.sites().positions[site];
+    const double geodesic = std::hypot(std::atan2(p.z(), p.x()), p.y() - 0.5);
+    if (geodesic > radius) {
+      EXPECT_EQ(distance[site], INFINITY);
+    }
+    // Steps to the 8 cells around are at most 46.7 degrees apart here, so paths are at most 1 / cos(23.4
+    // degrees) = 1.09 times longer; chords are a little shorter than arcs.
+    if (geodesic < radius / 1.09) {
+      EXPECT_NEAR(distance[site], geodesic, 0.09 * geodesic);
+    }
+  }
+}
+
+TEST(SurfaceDistance, FindsTheNearestSite) {
+  const SurfaceDistance surface(PointSet({{0, 0, 0}, {1, 0, 0}, {5, 0, 0}}));
+  EXPECT_EQ(surface.sites().positions[surface.findNearest({4, 1, 0})].x(), 5);
+  EXPECT_EQ(surface.findWithin(surface.findNearest({0, 0, 0}), 0.5f).size(), 1u);
+}
+
+}  // namespace
+}  // namespace stipple

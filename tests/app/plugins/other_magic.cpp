@@ -1,0 +1,20 @@
+// Has a header symbol that is something else.
+#include "plugins/api/plugin.h"
+
+namespace {
+
+constexpr stipple::PluginHeader makeHeader() {
+  stipple::PluginHeader header{.magic = {'S', 't', 'i', 'p', 'p', 'l', 'e', '\n'},
+                               .apiVersion = stipple::kPluginApiVersion,
+                               .abi = stipple::currentAbi(),
+                               .id = "other magic",
+                               .version = "1.0"};
+  header.magic[0] = 's';
+  return header;
+}
+
+}  // namespace
+
+extern "C" __attribute__((visibility("default"))) const stipple::PluginHeader stipple_plugin_header;
+extern "C" const stipple::PluginHeader stipple_plugin_header = makeHeader();
+extern "C" __attribute__((visibility("default"))) void stipple_plugin_register(stipple::Registry&) {}
