@@ -22,6 +22,10 @@ constexpr float kResidualWeight = 0.1f;
 // A plane from the rim of the neighborhood must be a tenth flatter: curved pieces keep their own.
 constexpr float kDistanceWeight = 0.1f;
 
+// A plane whose points are off by more than this, in spacings, is taken for a mean of two pieces.
+constexpr float kMixed = 0.06f;
+constexpr int kMostNeighbors = 200;
+
 struct FittedPlane {
   OneSidedPlane plane;
   float variance = 0;  // of the points off the plane, length^2
@@ -45,10 +49,15 @@ FittedPlane fitPlane(const Sites& sites, Index site, std::span<const Index> neig
           static_cast<float>(unbiased * std::max(0.0, solver.eigenvalues()[0]))};
 }
 
+struct Choice {
+  Index site = 0;            // whose plane
+  float squaredSpacing = 0;  // of the neighborhood
+};
+
 // The flattest of the planes at hand on which the site lies.
-OneSidedPlane choosePlane(const Sites& sites, Index site, std::span<const Index> neighbors,
-                          std::span<const float> squaredDistances, const std::vector<FittedPlane>& planes) {
-  if (neighbors.empty()) return planes[site].plane;
+Choice choosePlane(const Sites& sites, Index site, std::span<const Index> neighbors,
+                   std::span<const float> squaredDistances, const std::vector<FittedPlane>& planes) {
+  if (neighbors.empty()) return {site, 0};
   const float reach = std::max(squaredDistances.back(), std::numeric_limits<float>::min());
   const float squaredSpacing = reach * std::numbers::pi_v<float> / static_cast<float>(neighbors.size() + 1);
   const float floor = kFlatness * kFlatness * squaredSpacing;
@@ -72,7 +81,7 @@ OneSidedPlane choosePlane(const Sites& sites, Index site, std::span<const Index>
       best = neighbors[n];
     }
   }
-  return planes[best].plane;
+  return {best, squaredSpacing};
 }
 
 // body(site, neighbors, squaredDistances) for all sites; neighborhoods never stand in memory as a whole.
@@ -94,18 +103,29 @@ void forNeighborhoods(const Sites& sites, const NeighborSearch& search, int k, c
 
 }  // namespace
 
-std::vector<OneSidedPlane> fitOneSidedPlanes(const Sites& sites, int k, const Progress* progress) {
+std::vector<OneSidedPlane> fitOneSidedPlanes(const Sites& sites, const CreaseOptions& options,
+                                             const Progress* progress) {
   std::vector<FittedPlane> planes(sites.size());
   std::vector<OneSidedPlane> chosen(sites.size());
-  const NeighborSearch search(sites.positions, k);
-  forNeighborhoods(sites, search, std::max(6, k / 4), progress,
+  const NeighborSearch search(sites.positions, options.k);
+  forNeighborhoods(sites, search, std::max(6, options.k / 4), progress,
                    [&](Index site, std::span<const Index> neighbors, std::span<const float>) {
                      planes[site] = fitPlane(sites, site, neighbors);
                    });
+  const auto noise = static_cast<float>(options.noise);
+  const float mixed = kMixed * kMixed + kNoiseDeviations * kNoiseDeviations * noise * noise;
   forNeighborhoods(
-      sites, search, k, progress,
+      sites, search, options.k, progress,
       [&](Index site, std::span<const Index> neighbors, std::span<const float> squaredDistances) {
-        chosen[site] = choosePlane(sites, site, neighbors, squaredDistances, planes);
+        Choice choice = choosePlane(sites, site, neighbors, squaredDistances, planes);
+        std::vector<Index> wider;
+        std::vector<float> widerDistances;
+        for (int k = 2 * options.k; k <= std::min(4 * options.k, kMostNeighbors); k *= 2) {
+          if (planes[choice.site].variance <= mixed * choice.squaredSpacing) break;
+          search.findNearest(site, k, wider, widerDistances);
+          choice = choosePlane(sites, site, wider, widerDistances, planes);
+        }
+        chosen[site] = planes[choice.site].plane;
       });
   return chosen;
 }
@@ -113,7 +133,7 @@ std::vector<OneSidedPlane> fitOneSidedPlanes(const Sites& sites, int k, const Pr
 int creaseNeighbors(double noise) {
   // A piece of radius r tells the sides of a crease apart where their rise within it exceeds the noise: k
   // grows with it. Measured on straight creases at a noise of 0, .1 and .3 spacings.
-  return static_cast<int>(std::clamp(48 + 340 * noise, 48.0, 200.0));
+  return static_cast<int>(std::clamp(48 + 500 * noise, 48.0, static_cast<double>(kMostNeighbors)));
 }
 
 double turningAngle(const OneSidedPlane& a, const OneSidedPlane& b) {
@@ -129,7 +149,10 @@ double turningAngle(const OneSidedPlane& a, const OneSidedPlane& b) {
   if (!(length > 0)) return between;
   const double sum = std::asin(std::min(1.0, std::abs(line.dot(a.normal.cast<double>())) / length)) +
                      std::asin(std::min(1.0, std::abs(line.dot(b.normal.cast<double>())) / length));
-  return sum > (between + std::numbers::pi / 2) / 2 ? std::numbers::pi - between : between;
+  // At a blade the sum exceeds the angle between the planes, though not always by much: an angle of the
+  // triangle may be obtuse. In flat places noise tilts the line.
+  constexpr double kDegree = std::numbers::pi / 180;
+  return sum > std::max(45 * kDegree, between + 15 * kDegree) ? std::numbers::pi - between : between;
 }
 
 double blockingTurn(double creaseAngle) {

@@ -15,11 +15,18 @@ struct OneSidedPlane {
   Eigen::Vector3f normal;  ///< unit, sign arbitrary
 };
 
+struct CreaseOptions {
+  int k = 48;        ///< neighbors among whose planes a site chooses; see creaseNeighbors
+  double noise = 0;  ///< standard deviation across the surface in mean spacings; see estimateNoise
+};
+
 /// Planes are fitted to the k/4 nearest of every site (at least 6); of those within the k nearest a site
 /// takes the flattest one that it lies on within the noise (Kuwahara's filter, 1976, with planes for means).
-std::vector<OneSidedPlane> fitOneSidedPlanes(const Sites& sites, int k, const Progress* progress = nullptr);
+/// Where none is flat, as between the sheets of a blade, it looks at up to four times as many.
+std::vector<OneSidedPlane> fitOneSidedPlanes(const Sites& sites, const CreaseOptions& options,
+                                             const Progress* progress = nullptr);
 
-/// Neighbors that one-sided planes need at a noise given in mean spacings (see estimateNoise): 48 to 200.
+/// Neighbors that one-sided planes need at a noise given in mean spacings: 48 to 200.
 int creaseNeighbors(double noise);
 
 /// Angle in [0, pi] by which the surface turns from one plane to the other: 0 where they are one, pi - t at a

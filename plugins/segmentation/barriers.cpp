@@ -38,7 +38,8 @@ void dropNegativeWeights(SparseMatrix& stiffness) {
 void blockCreases(Terrain& terrain, const SegmentationOptions& options, const Progress* progress) {
   const Discretization& d = terrain.discretization;
   terrain.k = options.k > 0 ? options.k : creaseNeighbors(terrain.noise);
-  const std::vector<OneSidedPlane> planes = fitOneSidedPlanes(d.sites, terrain.k, progress);
+  const std::vector<OneSidedPlane> planes =
+      fitOneSidedPlanes(d.sites, {.k = terrain.k, .noise = terrain.noise}, progress);
   const double turn = blockingTurn(options.creaseAngle);
   // The smaller index first, so that both directions see the same bits.
   const auto isBlocked = [&](Index i, Index j) {

@@ -17,8 +17,8 @@ namespace {
 constexpr double kStandstill = 1e-3;
 // No seed nearer than this to a crease or a label: there is no room for a face of its own.
 constexpr double kRoomInSpacings = 2;
-// Sites that a piece without any crease needs to get a seed: those of a disc of that radius.
-constexpr Index kSmallestPiece = 12;
+// A piece that is sealed off gets a label of its own from this many sites on, however narrow it is.
+constexpr std::size_t kSmallestPiece = 50;
 // A disc of this many diffusion lengths survives an implicit step at u = 1.
 constexpr double kDiscInDiffusionLengths = 2;
 // Steps that one automatic seed usually takes: what the choice of the solver weighs.
@@ -96,11 +96,11 @@ std::optional<Index> SegmentationRun::findNextSeed() const {
   std::optional<Index> best;
   float bestValue = -1;
   for (Index site = 0; site < distance_.size(); ++site) {
-    if (labeling_.labels[site] != 0 || distance_[site] < kRoomInSpacings * spacing_) continue;
-    if (distance_[site] == kUnreached &&
-        terrain_->pieces.of(terrain_->pieces.pieceOfSite[site]).size() < kSmallestPiece) {
-      continue;
-    }
+    if (labeling_.labels[site] != 0) continue;
+    const Index piece = terrain_->pieces.pieceOfSite[site];
+    const bool isFresh = !growths_[piece] && terrain_->pieces.of(piece).size() >= kSmallestPiece;
+    const bool hasRoom = distance_[site] >= kRoomInSpacings * spacing_ && distance_[site] < kUnreached;
+    if (!isFresh && !hasRoom) continue;
     const float value = options_.seeding == Seeding::kFlattest ? terrain_->classifier[site] : distance_[site];
     if (value > bestValue) {
       bestValue = value;
@@ -211,7 +211,8 @@ Report SegmentationRun::report() const {
                    {"diffusion_steps", static_cast<std::int64_t>(steps_)},
                    {"k", static_cast<std::int64_t>(terrain_->k)},
                    {"noise", terrain_->noise}};
-  if (free == std::ssize(labels)) report.warnings.push_back("no point was labelled: nowhere is room for a seed");
+  if (free == std::ssize(labels))
+    report.warnings.push_back("no point was labelled: nowhere is room for a seed");
   return report;
 }
 
