@@ -26,6 +26,8 @@ struct Format {
   ReadResult (*read)(const InputFile&, Progress&) = nullptr;  ///< null: known, but not read
   std::vector<std::string> (*write)(OutputFile&, const PointSet&, const WriteOptions&, Progress&) = nullptr;
   std::string_view advice = {};  ///< what to convert it to where it is not read
+  bool nameSuffices =
+      false;  ///< text whose content may look like nothing: the name decides when no content does
 };
 
 /// All known kinds, in the order in which they are tried; those with a magic number come first.

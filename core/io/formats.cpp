@@ -3,8 +3,14 @@
 
 #include "core/io/format.h"
 #include "core/io/numbers.h"
+#include "core/io/obj_reader.h"
+#include "core/io/obj_writer.h"
+#include "core/io/off_reader.h"
+#include "core/io/off_writer.h"
 #include "core/io/ply_reader.h"
 #include "core/io/ply_writer.h"
+#include "core/io/text_reader.h"
+#include "core/io/text_writer.h"
 
 namespace stipple {
 
@@ -70,6 +76,50 @@ const std::vector<Format>& registry() {
       {.kind = "glTF", .extensions = {".gltf", ".glb"}, .matches = isGltf, .advice = "PLY or OBJ"},
       {.kind = "STL", .extensions = {".stl"}, .matches = isAsciiStl, .advice = "PLY or OBJ"},
       {.kind = "STL", .extensions = {".stl"}, .matches = isBinaryStl, .advice = "PLY or OBJ"},
+      {.kind = "surfel", .extensions = {".pts"}, .matches = isSurfelFile, .read = readSurfels},
+      {.kind = "OFF",
+       .extensions = {".off"},
+       .matches = isOff,
+       .read = readOff,
+       .write = writeOff,
+       .nameSuffices = true},
+      {.kind = "OBJ",
+       .extensions = {".obj"},
+       .matches = isObj,
+       .read = readObj,
+       .write = writeObj,
+       .nameSuffices = true},
+      {.kind = "PTX", .extensions = {".ptx"}, .matches = isPtx, .read = readPtx, .nameSuffices = true},
+      {.kind = "XYZ",
+       .extensions = {".xyz"},
+       .matches = isTextCloud,
+       .read = readText,
+       .write = writeXyz,
+       .nameSuffices = true},
+      {.kind = "PTS",
+       .extensions = {".pts"},
+       .matches = isTextCloud,
+       .read = readText,
+       .write = writePts,
+       .nameSuffices = true},
+      {.kind = "PWN",
+       .extensions = {".pwn"},
+       .matches = isTextCloud,
+       .read = readText,
+       .write = writePwn,
+       .nameSuffices = true},
+      {.kind = "CSV",
+       .extensions = {".csv"},
+       .matches = isTextCloud,
+       .read = readText,
+       .write = writeCsv,
+       .nameSuffices = true},
+      {.kind = "text",
+       .extensions = {".txt", ".asc"},
+       .matches = isTextCloud,
+       .read = readText,
+       .write = writeTable,
+       .nameSuffices = true},
   };
   return kFormats;
 }

@@ -26,7 +26,8 @@ bool hasExtension(const Format& format, std::string_view extension) {
   return std::ranges::find(format.extensions, extension) != format.extensions.end();
 }
 
-// Content decides; among the formats that the content allows, the one of the name.
+// Content decides; among the formats that the content allows, the one of the name. Text that looks like none
+// of them is read as what its name says, so that the error can name the line.
 const Format* recognize(const FileSample& sample) {
   const Format* first = nullptr;
   for (const Format& format : formats()) {
@@ -34,7 +35,11 @@ const Format* recognize(const FileSample& sample) {
     if (hasExtension(format, sample.extension)) return &format;
     if (!first) first = &format;
   }
-  return first;
+  if (first || sample.head.find('\0') != std::string::npos) return first;
+  const auto named = std::ranges::find_if(formats(), [&](const Format& format) {
+    return format.nameSuffices && hasExtension(format, sample.extension);
+  });
+  return named == formats().end() ? nullptr : &*named;
 }
 
 std::string kindsRead() {

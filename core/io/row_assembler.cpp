@@ -272,7 +272,9 @@ ReadResult RowAssembler::finish(Index rowCount, std::vector<Triangle> triangles)
   if (state.wideCoordinates) {
     state.coordinates.resize(rowCount);
     const Eigen::Vector3d origin = chooseOrigin(state.coordinates);
-    result.points = PointSet(relativeTo(origin, state.coordinates), origin, ScalarType::kFloat64);
+    const bool single = state.layout.untyped && origin == Eigen::Vector3d::Zero();
+    result.points = PointSet(relativeTo(origin, state.coordinates), origin,
+                             single ? ScalarType::kFloat32 : ScalarType::kFloat64);
     std::vector<Eigen::Vector3d>().swap(state.coordinates);
   } else {
     state.positions.resize(rowCount);

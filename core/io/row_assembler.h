@@ -14,6 +14,7 @@ namespace stipple {
 struct RowLayout {
   std::vector<RowProperty> properties;
   std::size_t rowBytes = 0;
+  bool untyped = false;    ///< from text: coordinates count as float unless they need an origin
   bool swapBytes = false;  ///< numbers in the other byte order than this machine's
 };
 

@@ -1,0 +1,6 @@
+#include "core/io/off_reader.h"
+#include "tests/fuzz/fuzz_reader.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* bytes, std::size_t size) {
+  return stipple::fuzzReader(stipple::readOff, "fuzz.off", bytes, size);
+}

@@ -1,0 +1,6 @@
+#include "core/io/text_reader.h"
+#include "tests/fuzz/fuzz_reader.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* bytes, std::size_t size) {
+  return stipple::fuzzReader(stipple::readText, "fuzz.xyz", bytes, size);
+}
