@@ -56,9 +56,12 @@ int perform(const Command& command) {
   }
 }
 
-// A first word that is neither an option nor a command.
-void checkCommand(const CLI::App& program, const std::string& word) {
-  if (word.starts_with('-')) return;
+// Says what is wrong with a first word that is neither a command nor an option of the program.
+void checkFirstWord(const CLI::App& program, const std::string& word) {
+  if (word.starts_with('-')) {
+    if (program.get_option_no_throw(word)) return;
+    throw CommandFailure(kUsage, fmt::format("there is no option '{}' before a command", word));
+  }
   std::string names;
   for (const CLI::App* command : program.get_subcommands(nullptr)) {
     if (command->get_name() == word) return;
@@ -82,7 +85,7 @@ int runProgram(int argc, char** argv) {
     command->set_version_flag("--version", "stipple-cli " STIPPLE_VERSION);
   }
   try {
-    if (argc > 1) checkCommand(program, argv[1]);
+    if (argc > 1) checkFirstWord(program, argv[1]);
     program.parse(argc, argv);
   } catch (const CLI::Success& success) {
     return program.exit(success);

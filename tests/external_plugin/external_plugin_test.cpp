@@ -15,6 +15,7 @@ using nlohmann::json;
 
 const fs::path kPrefix = EXTERNAL_PREFIX;
 const fs::path kProgram = kPrefix / "bin/stipple-cli";
+const fs::path kBuilt = fs::path(EXTERNAL_BUILD) / EXTERNAL_PLUGIN_DIR;
 
 bool listsLift(const ProgramOptions& options) {
   const ProgramRun listing = runProgram(kProgram, {"operators", "--json"}, options);
@@ -39,7 +40,7 @@ TEST(ExternalPlugin, AppearsWithItsFileAndGoesWithIt) {
   fs::remove(installed);
   EXPECT_FALSE(listsLift({}));
   fs::create_directories(installed.parent_path());
-  fs::copy_file(fs::path(EXTERNAL_BUILD) / "lift.so", installed);
+  fs::copy_file(kBuilt / "lift.so", installed);
   EXPECT_TRUE(listsLift({}));
   fs::remove(installed);
   EXPECT_FALSE(listsLift({}));
@@ -47,11 +48,12 @@ TEST(ExternalPlugin, AppearsWithItsFileAndGoesWithIt) {
 
 TEST(ExternalPlugin, RunsInTheInstalledProgram) {
   const fs::path grid = writeGrid(), lifted = fs::path(EXTERNAL_BUILD) / "lifted.ply";
-  const ProgramOptions options{.environment = {std::string("STIPPLE_PLUGIN_PATH=") + EXTERNAL_BUILD}};
+  const ProgramOptions options{.environment = {"STIPPLE_PLUGIN_PATH=" + kBuilt.string()}};
   const ProgramRun done = runProgram(
       kProgram, {"run", "lift", grid, "-o", lifted, "--set", "by=0.5", "--region", "left", "--json"},
       options);
   ASSERT_EQ(done.exitCode, 0) << done.err;
+  EXPECT_EQ(json::parse(done.out)["warnings"], json::array());
   // Half of the area of the grid: 19 x 9.5 to the middle line between the columns 9 and 10.
   EXPECT_NEAR(json::parse(done.out)["report"]["area"].get<double>(), 19 * 9.5, 1e-3 * 19 * 9.5);
   Progress progress;

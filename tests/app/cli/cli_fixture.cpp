@@ -21,7 +21,7 @@ Cli::~Cli() {
 ProgramRun Cli::run(const std::vector<std::string>& arguments, int interruptAfterMs) const {
   const std::string built = STIPPLE_BINARY_DIR;
   return runProgram(built + "/bin/stipple-cli", arguments,
-                    {.environment = {"STIPPLE_PLUGIN_PATH=" + built + "/tests/plugins"},
+                    {.environment = {"STIPPLE_PLUGIN_PATH=" + built + "/tests/good_plugins"},
                      .interruptAfterMs = interruptAfterMs});
 }
 

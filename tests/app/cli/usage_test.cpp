@@ -33,7 +33,7 @@ TEST_F(Cli, WrongUseIsExit2WithOneLine) {
   EXPECT_THAT(failWith(2, {"info", example, example}), HasSubstr("example.ply"));
   EXPECT_THAT(failWith(2, {"convert", example}), HasSubstr("OUT is required"));
   EXPECT_THAT(failWith(2, {"convert", example, path("o.ply"), "--encoding", "morse"}),
-              HasSubstr("'morse' is not one of ascii|binary"));
+              HasSubstr("'morse' is not one of binary|ascii"));
   EXPECT_THAT(failWith(2, {"run", "stepper", example}), HasSubstr("--output is required"));
   EXPECT_THAT(failWith(2, {"play", "recipe.json", example}), HasSubstr("--output is required"));
   EXPECT_THAT(failWith(2, {"discretize", example, "--scheme", "1"}), HasSubstr("'1' is not one of voronoi|"));

@@ -26,7 +26,7 @@ class Loader : public testing::Test {
 
   void put(const std::string& plugin) {
     const fs::path built = fs::path(STIPPLE_BINARY_DIR) / "tests";
-    const fs::path folder = plugin == "operators" ? built / "plugins" : built / "odd_plugins";
+    const fs::path folder = plugin == "operators" ? built / "good_plugins" : built / "odd_plugins";
     fs::copy_file(folder / (plugin + ".so"), folder_ / (plugin + ".so"));
   }
   LoadedPlugins load() const { return loadPlugins({folder_}); }
