@@ -33,8 +33,15 @@ struct Outcome {
   std::vector<std::string> warnings = {};
 };
 
-/// `document` with the warnings inside where the user asked for JSON, otherwise `text` and the warnings beside it.
-Outcome makeOutcome(bool asJson, nlohmann::ordered_json document, std::string text, std::vector<std::string> warnings);
+/// `document` with the warnings inside where the user asked for JSON, otherwise `text` and the warnings
+/// beside it.
+Outcome makeOutcome(bool asJson, nlohmann::ordered_json document, std::string text,
+                    std::vector<std::string> warnings);
+
+/// Adds an option that takes one of `words`; `choose` gets the place of the word that was given. Any other
+/// word is refused with the list of them.
+void addChoice(CLI::App& command, const std::string& name, std::vector<std::string> words,
+               std::function<void(std::size_t)> choose, const std::string& help);
 
 using Command = std::function<Outcome(Progress&)>;
 

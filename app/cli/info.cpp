@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -72,7 +74,10 @@ std::pair<Json, Json> rangeOf(const std::vector<T>& values, const FileProperty& 
 Json describe(const Attribute& attribute) {
   auto [low, high] = std::visit([&](const auto& values) { return rangeOf(values, attribute.file); },
                                 attribute.column.values());
-  return {{"name", attribute.name}, {"type", nameOf(attribute.type())}, {"min", std::move(low)}, {"max", std::move(high)}};
+  return {{"name", attribute.name},
+          {"type", nameOf(attribute.type())},
+          {"min", std::move(low)},
+          {"max", std::move(high)}};
 }
 
 Json boundsOf(const PointSet& points) {
@@ -105,11 +110,13 @@ std::string asText(const Json& info) {
     text += fmt::format("{:<11} {}\n", key, info[key].dump());
   }
   if (info["bounds"].is_object()) {
-    text += fmt::format("{:<11} {} to {}\n", "bounds", info["bounds"]["min"].dump(), info["bounds"]["max"].dump());
+    text += fmt::format("{:<11} {} to {}\n", "bounds", info["bounds"]["min"].dump(),
+                        info["bounds"]["max"].dump());
   }
   for (const Json& attribute : info["attributes"]) {
-    text += fmt::format("{:<11} {} ({}) from {} to {}\n", "attribute", attribute["name"].get<std::string>(),
-                        attribute["type"].get<std::string>(), attribute["min"].dump(), attribute["max"].dump());
+    text +=
+        fmt::format("{:<11} {} ({}) from {} to {}\n", "attribute", attribute["name"].get<std::string>(),
+                    attribute["type"].get<std::string>(), attribute["min"].dump(), attribute["max"].dump());
   }
   return text;
 }

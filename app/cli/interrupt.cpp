@@ -1,6 +1,7 @@
 #include "app/cli/interrupt.h"
 
 #include <csignal>
+#include <initializer_list>
 
 namespace stipple {
 
@@ -9,7 +10,9 @@ namespace {
 // The one thing that a signal handler may touch.
 volatile std::sig_atomic_t interrupted = 0;
 
-void markInterrupted(int) { interrupted = 1; }
+void markInterrupted(int) {
+  interrupted = 1;
+}
 
 }  // namespace
 
@@ -17,6 +20,8 @@ void catchInterrupts() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, markInterrupted);
 }
 
-bool wasInterrupted() { return interrupted != 0; }
+bool wasInterrupted() {
+  return interrupted != 0;
+}
 
 }  // namespace stipple

@@ -14,7 +14,8 @@ namespace stipple {
 namespace {
 
 int fail(ExitCode code, std::string sentence) {
-  std::ranges::replace_if(sentence, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  std::ranges::replace_if(
+      sentence, [](char c) { return c == '\n' || c == '\r'; }, ' ');
   while (sentence.ends_with(' ')) sentence.pop_back();
   fmt::print(stderr, "stipple-cli: {}\n", sentence);
   return code;
@@ -37,7 +38,8 @@ int perform(const Command& command) {
     const Outcome outcome = command(progress);
     progress.clear();
     print(outcome.text);
-    for (const std::string& warning : outcome.warnings) fmt::print(stderr, "stipple-cli: warning: {}\n", warning);
+    for (const std::string& warning : outcome.warnings)
+      fmt::print(stderr, "stipple-cli: warning: {}\n", warning);
     return kDone;
   } catch (const CommandFailure& failure) {
     return failing(failure.code(), failure.what());
@@ -52,6 +54,17 @@ int perform(const Command& command) {
   } catch (const std::exception& error) {
     return failing(kFailed, error.what());
   }
+}
+
+// A first word that is neither an option nor a command.
+void checkCommand(const CLI::App& program, const std::string& word) {
+  if (word.starts_with('-')) return;
+  std::string names;
+  for (const CLI::App* command : program.get_subcommands(nullptr)) {
+    if (command->get_name() == word) return;
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  throw CommandFailure(kUsage, fmt::format("there is no command '{}', expected one of {}", word, names));
 }
 
 int runProgram(int argc, char** argv) {
@@ -69,11 +82,14 @@ int runProgram(int argc, char** argv) {
     command->set_version_flag("--version", "stipple-cli " STIPPLE_VERSION);
   }
   try {
+    if (argc > 1) checkCommand(program, argv[1]);
     program.parse(argc, argv);
   } catch (const CLI::Success& success) {
     return program.exit(success);
   } catch (const CLI::ParseError& error) {
     return fail(kUsage, error.what());
+  } catch (const CommandFailure& failure) {
+    return fail(failure.code(), failure.what());
   }
   return perform(chosen);
 }
@@ -81,4 +97,6 @@ int runProgram(int argc, char** argv) {
 }  // namespace
 }  // namespace stipple
 
-int main(int argc, char** argv) { return stipple::runProgram(argc, argv); }
+int main(int argc, char** argv) {
+  return stipple::runProgram(argc, argv);
+}

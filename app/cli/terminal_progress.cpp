@@ -24,13 +24,15 @@ void TerminalProgress::report(double fraction, std::string_view message) {
   if (!isTerminal_ || now - lastDrawn_ < kRedrawInterval) return;
   lastDrawn_ = now;
   const int filled = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * kBarWidth);
-  fmt::print(stderr, "\r\x1b[K[{:#<{}}{:.<{}}] {:3.0f} % {}", "", filled, "", kBarWidth - filled, 100 * fraction,
-             message);
+  fmt::print(stderr, "\r\x1b[K[{:#<{}}{:.<{}}] {:3.0f} % {}", "", filled, "", kBarWidth - filled,
+             100 * fraction, message);
   std::fflush(stderr);
   isDrawn_ = true;
 }
 
-bool TerminalProgress::cancelled() const { return wasInterrupted(); }
+bool TerminalProgress::cancelled() const {
+  return wasInterrupted();
+}
 
 void TerminalProgress::clear() {
   if (isDrawn_) fmt::print(stderr, "\r\x1b[K");

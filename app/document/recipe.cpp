@@ -206,19 +206,23 @@ std::string formatRecipe(const Recipe& recipe) {
   return Json{{"stipple_recipe", 1}, {"steps", std::move(steps)}}.dump(2) + "\n";
 }
 
-PointSet play(const Recipe& recipe, const Registry& registry, const PointSet& points, Progress& progress) {
-  PointSet state = points;
+PlayResult play(const Recipe& recipe, const Registry& registry, const PointSet& points, Progress& progress) {
+  PlayResult played{.points = points, .warnings = {}};
   const double share = 1.0 / static_cast<double>(std::max<std::size_t>(recipe.steps.size(), 1));
   for (std::size_t s = 0; s < recipe.steps.size(); ++s) {
     PartialProgress part(progress, static_cast<double>(s) * share, static_cast<double>(s + 1) * share);
-    state = atStep(s + 1, [&] {
-      if (const auto* invocation = std::get_if<Invocation>(&recipe.steps[s])) {
-        return invoke(registry, *invocation, state, part).result.points;
+    played.points = atStep(s + 1, [&] {
+      if (const auto* stroke = std::get_if<Stroke>(&recipe.steps[s])) {
+        return applyStroke(played.points, *stroke, part);
       }
-      return applyStroke(state, std::get<Stroke>(recipe.steps[s]), part);
+      InvocationResult done = invoke(registry, std::get<Invocation>(recipe.steps[s]), played.points, part);
+      for (const std::string& warning : done.report.warnings) {
+        played.warnings.push_back(fmt::format("step {}: {}", s + 1, warning));
+      }
+      return std::move(done.result.points);
     });
   }
-  return state;
+  return played;
 }
 
 }  // namespace stipple

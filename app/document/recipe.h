@@ -23,7 +23,12 @@ Recipe parseRecipe(std::string_view text, const Registry& registry);
 /// The same document, with every parameter of every operator.
 std::string formatRecipe(const Recipe& recipe);
 
-/// Does all steps. Messages of failures begin with the number of the step, from 1.
-PointSet play(const Recipe& recipe, const Registry& registry, const PointSet& points, Progress& progress);
+struct PlayResult {
+  PointSet points;
+  std::vector<std::string> warnings;  ///< of the operators
+};
+
+/// Does all steps. Messages of failures and warnings begin with the number of the step, from 1.
+PlayResult play(const Recipe& recipe, const Registry& registry, const PointSet& points, Progress& progress);
 
 }  // namespace stipple

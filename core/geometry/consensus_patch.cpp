@@ -136,8 +136,8 @@ void Patch::addSettled(Corner& corner) {
 Sector Patch::sectorAt(Index site, Index a, Index b) const {
   const TangentBasis basis = tangentBasisOf(normals_[site]);
   const auto angleOf = [&](Index j) {
-    const Eigen::Vector3f d = positions_[j] - positions_[site];
-    return std::atan2(static_cast<double>(d.dot(basis.e1)), static_cast<double>(d.dot(basis.e0)));
+    const Eigen::Vector3d d = at(j) - at(site);
+    return std::atan2(d.dot(basis.e1), d.dot(basis.e0));
   };
   const double angleA = angleOf(a), angleB = angleOf(b);
   const double turn = std::remainder(angleB - angleA, kTwoPi);

@@ -181,13 +181,12 @@ void mapToTangentPlane(std::span<const Eigen::Vector3f> positions, std::span<con
                        Index site, const Eigen::Vector3f& normal, std::span<const Index> neighbors,
                        Metric metric, std::vector<PlanePoint>& points) {
   const TangentBasis basis = tangentBasisOf(normal);
-  const Eigen::Vector3d e0 = basis.e0.cast<double>(), e1 = basis.e1.cast<double>(), n = normal.cast<double>();
   points.clear();
   for (const Index j : neighbors) {
     Eigen::Vector3d d = (positions[j] - positions[site]).cast<double>();
     if (!shifts.empty()) d += (shifts[j] - shifts[site]).cast<double>();
-    double x = d.dot(e0), y = d.dot(e1);
-    const double height = d.dot(n), flat = x * x + y * y;
+    double x = d.dot(basis.e0), y = d.dot(basis.e1);
+    const double height = d.dot(basis.normal), flat = x * x + y * y;
     double squared = flat;
     // A direction cannot be read off a neighbor straight above.
     if (!(flat > 1e-12 * height * height)) continue;

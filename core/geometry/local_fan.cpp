@@ -5,11 +5,13 @@
 
 namespace stipple {
 
-TangentBasis tangentBasisOf(const Eigen::Vector3f& n) {
+TangentBasis tangentBasisOf(const Eigen::Vector3f& normal) {
   // Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
-  const float sign = std::copysign(1.f, n.z());
-  const float a = -1.f / (sign + n.z()), b = n.x() * n.y() * a;
-  return {{1.f + sign * n.x() * n.x() * a, sign * b, -sign * n.x()}, {b, sign + n.y() * n.y() * a, -n.y()}};
+  const Eigen::Vector3d n = normal.cast<double>().normalized();
+  const double sign = std::copysign(1.0, n.z());
+  const double a = -1.0 / (sign + n.z()), b = n.x() * n.y() * a;
+  return {
+      {1.0 + sign * n.x() * n.x() * a, sign * b, -sign * n.x()}, {b, sign + n.y() * n.y() * a, -n.y()}, n};
 }
 
 // Height of the corner over the bisector of the point; above it the corner belongs to the point's cell.

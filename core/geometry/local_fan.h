@@ -16,9 +16,10 @@ struct PlanePoint {
   Index site = 0;
 };
 
-/// Two unit vectors that make a right-handed frame with the unit normal; a function of the normal alone.
+/// Orthonormal right-handed frame to the last bits of double: the normal made exactly unit, and two tangents
+/// that are a function of the normal alone.
 struct TangentBasis {
-  Eigen::Vector3f e0, e1;
+  Eigen::Vector3d e0, e1, normal;
 };
 TangentBasis tangentBasisOf(const Eigen::Vector3f& normal);
 

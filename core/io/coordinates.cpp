@@ -55,7 +55,7 @@ Eigen::Vector3d chooseOrigin(std::span<const Eigen::Vector3d> coordinates) {
   // A step of about an eighth of the extent keeps the rest within 0.6 extents; for a single place, the finest
   // step that is far above the resolution of the doubles.
   const double largest = std::max(found.low.abs().maxCoeff(), found.high.abs().maxCoeff());
-  const double step = std::exp2(std::ceil(std::log2(std::max(extent / 8, std::ldexp(largest, -24)))));
+  const double step = std::exp2(std::ceil(std::log2(std::max(extent / 8, std::ldexp(largest, -40)))));
   return ((found.low + found.high) / (2 * step)).round() * step;
 }
 

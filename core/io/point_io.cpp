@@ -72,6 +72,22 @@ ReadResult readRecognized(const InputFile& file, Progress& progress) {
   return format->read(file, progress);
 }
 
+// The format that the name asks for.
+const Format& findWritable(const std::filesystem::path& path) {
+  const std::string extension = extensionOf(path);
+  const Format* known = nullptr;
+  for (const Format& format : formats()) {
+    if (!hasExtension(format, extension)) continue;
+    if (!known || format.write) known = &format;
+  }
+  if (!known || !known->write) {
+    throw InvalidInput(fmt::format("{}: {} is not written; the names of what is written end in {}",
+                                   path.string(), known ? known->kind : "a file of this name",
+                                   extensionsWritten()));
+  }
+  return *known;
+}
+
 }  // namespace
 
 ReadResult readPoints(const std::filesystem::path& path, Progress& progress) {
@@ -89,21 +105,15 @@ ReadResult readPoints(const InputFile& file, Progress& progress) {
   }
 }
 
+void requireWritableFormat(const std::filesystem::path& path) {
+  findWritable(path);
+}
+
 std::vector<std::string> writePoints(const std::filesystem::path& path, const PointSet& points,
                                      const WriteOptions& options, Progress& progress) {
-  const std::string extension = extensionOf(path);
-  const Format* known = nullptr;
-  for (const Format& format : formats()) {
-    if (!hasExtension(format, extension)) continue;
-    if (!known || format.write) known = &format;
-  }
-  if (!known || !known->write) {
-    throw InvalidInput(fmt::format("{}: {} is not written; the names of what is written end in {}",
-                                   path.string(), known ? known->kind : "a file of this name",
-                                   extensionsWritten()));
-  }
+  const Format& format = findWritable(path);
   OutputFile file(path);
-  std::vector<std::string> warnings = known->write(file, points, options, progress);
+  std::vector<std::string> warnings = format.write(file, points, options, progress);
   file.commit();
   return warnings;
 }

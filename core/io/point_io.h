@@ -37,4 +37,7 @@ ReadResult readPoints(const InputFile& file, Progress& progress);
 std::vector<std::string> writePoints(const std::filesystem::path& path, const PointSet& points,
                                      const WriteOptions& options, Progress& progress);
 
+/// Throws InvalidInput where the name asks for no format that is written.
+void requireWritableFormat(const std::filesystem::path& path);
+
 }  // namespace stipple

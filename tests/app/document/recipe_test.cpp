@@ -24,7 +24,7 @@ PointSet fourPoints() {
 TEST(Recipe, PlaysItsStepsInOrder) {
   const Registry registry = testOperators();
   Progress progress;
-  const PointSet played = play(parseRecipe(kExample, registry), registry, fourPoints(), progress);
+  const PointSet played = play(parseRecipe(kExample, registry), registry, fourPoints(), progress).points;
   EXPECT_EQ(played.values<float>("height")[0], 6);
   EXPECT_THAT(played.values<std::int32_t>("mask"), ElementsAre(0, 0, 5, 0));
   EXPECT_THAT(played.values<std::int32_t>("inside"), ElementsAre(0, 0, 1, 0));
