@@ -86,7 +86,7 @@ template <class Integer>
 bool fits(std::span<const Integer> values, ScalarType type) {
   if (values.empty()) return !isFloating(type);
   const auto [low, high] = std::ranges::minmax(values);
-  const auto within = [&](auto limits) {
+  const auto within = [low = low, high = high](auto limits) {
     using Limits = decltype(limits);
     return std::in_range<Limits>(low) && std::in_range<Limits>(high);
   };
