@@ -73,7 +73,7 @@ bool ByteCursor::refill(std::size_t count) {
   if (count > remaining()) return false;
   const std::size_t kept = end_ - begin_;
   if (count > capacity_) {
-    capacity_ = std::max(count, kWindowBytes);
+    capacity_ = std::max(count, static_cast<std::size_t>(std::min<std::uint64_t>(kWindowBytes, remaining())));
     auto larger = std::make_unique_for_overwrite<std::byte[]>(capacity_);
     if (kept > 0) std::memcpy(larger.get(), window_.get() + begin_, kept);
     window_ = std::move(larger);
@@ -104,7 +104,10 @@ bool LineReader::fill() {
     end_ -= begin_;
     begin_ = 0;
   }
-  if (end_ == window_.size()) window_.resize(std::max(kWindowBytes, 2 * window_.size()));
+  if (end_ == window_.size()) {
+    const std::size_t larger = std::max(kWindowBytes, 2 * window_.size());
+    window_.resize(static_cast<std::size_t>(std::min<std::uint64_t>(larger, end_ + file_.size() - next_)));
+  }
   const std::size_t got = file_.read(next_, std::as_writable_bytes(std::span(window_).subspan(end_)));
   end_ += got;
   next_ += got;

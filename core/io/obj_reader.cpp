@@ -14,18 +14,28 @@ namespace stipple {
 
 namespace {
 
-// The mean direction of the normals that the corners give to each vertex; zero where they give none.
+// The normal that all corners of a vertex name, or the mean direction of those that they name; zero where
+// they name none.
 std::vector<Eigen::Vector3f> vertexNormals(const ObjFile& object) {
   const std::size_t count = object.vertices.rows();
   std::vector<Eigen::Vector3f> normals(count, Eigen::Vector3f::Zero());
+  std::vector<Index> first(count, ObjCorner::kNoRow);
+  std::vector<char> differ(count, 0);
   bool found = false;
   for (const ObjCorner& corner : object.corners) {
     if (corner.vertex >= count || corner.normal >= object.normals.size()) continue;
+    if (first[corner.vertex] == ObjCorner::kNoRow) first[corner.vertex] = corner.normal;
+    differ[corner.vertex] |= static_cast<char>(first[corner.vertex] != corner.normal);
     normals[corner.vertex] += object.normals[corner.normal].stableNormalized();
     found = true;
   }
   if (!found) return object.normals.size() == count ? object.normals : std::vector<Eigen::Vector3f>{};
-  for (Eigen::Vector3f& normal : normals) normal.stableNormalize();
+  for (std::size_t row = 0; row < count; ++row) {
+    if (differ[row])
+      normals[row].stableNormalize();
+    else if (first[row] != ObjCorner::kNoRow)
+      normals[row] = object.normals[first[row]];
+  }
   return normals;
 }
 

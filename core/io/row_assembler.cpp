@@ -146,6 +146,7 @@ void RowAssembler::State::routeComponents(std::vector<Value>& column, std::span<
 
 void RowAssembler::State::route() {
   routes.clear();
+  if (capacity == 0) return;
   if (wideCoordinates) {
     routeComponents<double>(coordinates, plan.position);
   } else {

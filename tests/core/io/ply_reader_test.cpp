@@ -217,6 +217,11 @@ TEST(PlyReader, TruncatedVerticesNameBothCounts) {
             "a.ply: ends too early: 3 points expected, 2 found");
 }
 
+TEST(PlyReader, AFileThatEndsWithItsHeaderHasNoPoints) {
+  EXPECT_EQ(errorOfText("a.ply", asciiPly("element vertex 1\n" + std::string(kXyz), "")),
+            "a.ply: ends too early: 1 points expected, 0 found");
+}
+
 TEST(PlyReader, InflatedCountsFailWithoutTheMemory) {
   for (const char* format : {"ascii", "binary_little_endian"}) {
     for (const char* list : {"", "property list uchar int l\n"}) {
