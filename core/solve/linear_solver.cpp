@@ -38,10 +38,20 @@ void requireFinite(const Eigen::Ref<const Eigen::MatrixXd>& values, const char* 
 // Worst |b - A x| / |b| of the columns.
 double relativeResidual(const SparseMatrix& a, const Eigen::Ref<const Eigen::MatrixXd>& b,
                         const Eigen::Ref<const Eigen::MatrixXd>& x) {
-  const Eigen::MatrixXd r = b - a * x;
+  constexpr std::size_t kGrain = 4096;
   double worst = 0;
   for (Eigen::Index c = 0; c < b.cols(); ++c) {
-    if (const double norm = b.col(c).norm(); norm > 0) worst = std::max(worst, r.col(c).norm() / norm);
+    const double squared = parallelSum(a.rows(), kGrain, [&](std::size_t begin, std::size_t end) {
+      double sum = 0;
+      for (std::size_t row = begin; row < end; ++row) {
+        double r = b(row, c);
+        for (SparseMatrix::InnerIterator entry(a, row); entry; ++entry)
+          r -= entry.value() * x(entry.col(), c);
+        sum += r * r;
+      }
+      return sum;
+    });
+    if (const double norm = b.col(c).norm(); norm > 0) worst = std::max(worst, std::sqrt(squared) / norm);
   }
   return worst;
 }
