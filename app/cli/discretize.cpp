@@ -10,6 +10,7 @@
 #include "app/cli/command.h"
 #include "app/cli/files.h"
 #include "app/cli/matrix_market.h"
+#include "core/fem/assembly.h"
 #include "core/geometry/consensus.h"
 #include "core/stopwatch.h"
 
@@ -64,12 +65,12 @@ std::uint64_t peakBytes() {
 void assembleAndWrite(const DiscretizeOptions& options, const Discretization& d, StageTimes& times,
                       Progress& progress) {
   const Stopwatch assembly;
-  const SparseMatrix stiffness = expandToPoints(d.sites, assembleStiffness(d, &progress));
+  const SparseMatrix stiffness = assembleStiffness(d, &progress);
   const std::vector<double> mass = expandMassToPoints(d.sites, d.mass);
   times.add("assembly", {.seconds = d.times.assembly.seconds + assembly.seconds(),
                          .cpuSeconds = d.times.assembly.cpuSeconds + assembly.cpuSeconds()});
   const Stopwatch writing;
-  if (!options.stiffness.empty()) writeSymmetric(options.stiffness, stiffness, progress);
+  if (!options.stiffness.empty()) writeSymmetric(options.stiffness, PointRows(d.sites, stiffness), progress);
   if (!options.mass.empty()) writeDiagonal(options.mass, mass, progress);
   if (!options.stiffness.empty() || !options.mass.empty()) times.add("write", writing);
 }

@@ -58,20 +58,15 @@ void writeRows(const std::filesystem::path& path, const std::string& header, std
 
 }  // namespace
 
-void writeSymmetric(const std::filesystem::path& path, const SparseMatrix& matrix, Progress& progress) {
-  std::size_t entries = 0;
-  for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
-    for (SparseMatrix::InnerIterator entry(matrix, row); entry && entry.col() <= row; ++entry) ++entries;
-  }
-  const std::string header = fmt::format("%%MatrixMarket matrix coordinate real symmetric\n{} {} {}\n",
-                                         matrix.rows(), matrix.cols(), entries);
-  writeRows(path, header, static_cast<std::size_t>(matrix.rows()), progress,
-            [&](std::string& text, std::size_t row) {
-              const auto r = static_cast<Eigen::Index>(row);
-              for (SparseMatrix::InnerIterator entry(matrix, r); entry && entry.col() <= r; ++entry) {
-                appendEntry(text, r, entry.col(), entry.value());
-              }
-            });
+void writeSymmetric(const std::filesystem::path& path, const PointRows& matrix, Progress& progress) {
+  const std::string header = fmt::format("%%MatrixMarket matrix coordinate real symmetric\n{0} {0} {1}\n",
+                                         matrix.size(), matrix.countLower());
+  writeRows(path, header, matrix.size(), progress, [&](std::string& text, std::size_t row) {
+    thread_local std::vector<PointRows::Entry> entries;
+    matrix.lowerRow(static_cast<Index>(row), entries);
+    for (const auto& [column, value] : entries)
+      appendEntry(text, static_cast<Eigen::Index>(row), column, value);
+  });
 }
 
 void writeDiagonal(const std::filesystem::path& path, std::span<const double> diagonal, Progress& progress) {

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <limits>
 
 namespace stipple {
 
@@ -153,65 +152,6 @@ SparseMatrix assembleStiffness(const Discretization& d, std::span<const Eigen::M
   if (d.options.scheme == Scheme::kPaper) return assemblePaper(d, tensor, progress);
   return assembleElements(
       d, [&](Index i, const Eigen::Vector3d& g) -> Eigen::Vector3d { return tensor[i] * g; }, progress);
-}
-
-SparseMatrix expandToPoints(const Sites& sites, const SparseMatrix& stiffness) {
-  const auto points = static_cast<Index>(sites.siteOfPoint.size());
-  // Rows of the file at each place, ascending.
-  std::vector<Index> begins(sites.size() + 1, 0), rows(points);
-  for (const Index site : sites.siteOfPoint) ++begins[site + 1];
-  for (Index s = 0; s < sites.size(); ++s) begins[s + 1] += begins[s];
-  std::vector<Index> next(begins.begin(), begins.end() - 1);
-  for (Index p = 0; p < points; ++p) rows[next[sites.siteOfPoint[p]]++] = p;
-
-  SparseMatrix expanded(points, points);
-  std::size_t total = 0;
-  std::vector<std::size_t> size(points, 0);
-  for (Index p = 0; p < points; ++p) {
-    for (SparseMatrix::InnerIterator entry(stiffness, sites.siteOfPoint[p]); entry; ++entry) {
-      size[p] += begins[static_cast<Index>(entry.col()) + 1] - begins[static_cast<Index>(entry.col())];
-    }
-    total += size[p];
-  }
-  if (total > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
-    throw InvalidInput("too many points at one place: the matrix has more than 2^31 entries");
-  }
-  expanded.resizeNonZeros(static_cast<Eigen::Index>(total));
-  expanded.outerIndexPtr()[0] = 0;
-  for (Index p = 0; p < points; ++p) {
-    expanded.outerIndexPtr()[p + 1] = expanded.outerIndexPtr()[p] + static_cast<int>(size[p]);
-  }
-  parallelFor(points, 4096, [&](std::size_t begin, std::size_t end) {
-    std::vector<std::pair<int, double>> row;
-    for (std::size_t p = begin; p < end; ++p) {
-      row.clear();
-      const Index site = sites.siteOfPoint[p];
-      const double copiesHere = begins[site + 1] - begins[site];
-      for (SparseMatrix::InnerIterator entry(stiffness, site); entry; ++entry) {
-        const auto column = static_cast<Index>(entry.col());
-        const double copies = copiesHere * (begins[column + 1] - begins[column]);
-        for (Index r = begins[column]; r < begins[column + 1]; ++r) {
-          row.emplace_back(static_cast<int>(rows[r]), entry.value() / copies);
-        }
-      }
-      std::sort(row.begin(), row.end());
-      int at = expanded.outerIndexPtr()[p];
-      for (const auto& [column, value] : row) {
-        expanded.innerIndexPtr()[at] = column;
-        expanded.valuePtr()[at++] = value;
-      }
-    }
-  });
-  return expanded;
-}
-
-std::vector<double> expandMassToPoints(const Sites& sites, std::span<const double> mass) {
-  std::vector<double> copies(sites.size(), 0.0), expanded(sites.siteOfPoint.size());
-  for (const Index site : sites.siteOfPoint) ++copies[site];
-  for (std::size_t p = 0; p < expanded.size(); ++p) {
-    expanded[p] = mass[sites.siteOfPoint[p]] / copies[sites.siteOfPoint[p]];
-  }
-  return expanded;
 }
 
 }  // namespace stipple

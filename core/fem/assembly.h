@@ -32,8 +32,4 @@ SparseMatrix assembleStiffness(const Discretization& d, const std::function<doub
 SparseMatrix assembleStiffness(const Discretization& d, std::span<const Eigen::Matrix3d> tensor,
                                const Progress* progress = nullptr);
 
-/// W^T L W and the mass shared out, W averaging the copies of a place: rows are those of the file (n x n).
-SparseMatrix expandToPoints(const Sites& sites, const SparseMatrix& stiffness);
-std::vector<double> expandMassToPoints(const Sites& sites, std::span<const double> mass);
-
 }  // namespace stipple

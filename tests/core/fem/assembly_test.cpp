@@ -43,7 +43,8 @@ void expectSound(const Discretization& d, const SparseMatrix& stiffness) {
 int positiveOffDiagonals(const SparseMatrix& matrix) {
   int count = 0;
   for (int row = 0; row < matrix.outerSize(); ++row) {
-    for (SparseMatrix::InnerIterator entry(matrix, row); entry; ++entry) count += entry.col() != row && entry.value() > 0;
+    for (SparseMatrix::InnerIterator entry(matrix, row); entry; ++entry)
+      count += entry.col() != row && entry.value() > 0;
   }
   return count;
 }
@@ -65,26 +66,28 @@ TEST_P(OnRealScans, MatricesAreSound) {
   // A strongly anisotropic tensor, turned from site to site.
   std::vector<Eigen::Matrix3d> tensor(element.size());
   for (Index i = 0; i < element.size(); ++i) {
-    const Eigen::Vector3d direction = element.sites.positions[i].cast<double>().cross(Eigen::Vector3d(1, 2, 3));
+    const Eigen::Vector3d direction =
+        element.sites.positions[i].cast<double>().cross(Eigen::Vector3d(1, 2, 3));
     const Eigen::Vector3d along = direction.norm() > 0 ? direction.normalized() : Eigen::Vector3d::UnitX();
     tensor[i] = 0.01 * Eigen::Matrix3d::Identity() + 0.99 * along * along.transpose();
   }
   expectSound(element, assembleStiffness(element, tensor));
 }
 
-INSTANTIATE_TEST_SUITE_P(Assembly, OnRealScans,
-                         testing::Combine(testing::Values("cad/casting.off", "cad/cube_noisy.off",
-                                                          "noisy/sphere_20k_noise_outliers.xyz",
-                                                          "noisy/lidar_street_source.ply",
-                                                          "noisy/lato000_rangemap.ply", "noisy/lato180_rangemap.ply"),
-                                          testing::Bool()));
+INSTANTIATE_TEST_SUITE_P(
+    Assembly, OnRealScans,
+    testing::Combine(testing::Values("cad/casting.off", "cad/cube_noisy.off",
+                                     "noisy/sphere_20k_noise_outliers.xyz", "noisy/lidar_street_source.ply",
+                                     "noisy/lato000_rangemap.ply", "noisy/lato180_rangemap.ply"),
+                     testing::Bool()));
 
 TEST(Assembly, LinearFunctionsOfAPlaneAreHarmonicInside) {
   for (const Scheme scheme : {Scheme::kVoronoi, Scheme::kElement, Scheme::kPaper}) {
     const Discretization d = discretized(PointSet(shapes::randomSquare(3000)), {.scheme = scheme});
     const SparseMatrix stiffness = assembleStiffness(d);
     Eigen::VectorXd linear(d.size());
-    for (Index i = 0; i < d.size(); ++i) linear[i] = 2 * d.sites.positions[i].x() - 3 * d.sites.positions[i].y();
+    for (Index i = 0; i < d.size(); ++i)
+      linear[i] = 2 * d.sites.positions[i].x() - 3 * d.sites.positions[i].y();
     const Eigen::VectorXd residual = stiffness * linear;
     for (Index i = 0; i < d.size(); ++i) {
       bool inside = !d.fans.open[i];
@@ -101,7 +104,8 @@ TEST(Assembly, TheEnergyOfALinearFunctionIsItsSlopeSquaredTimesTheArea) {
   const Eigen::Matrix3d a = Eigen::Vector3d(1, 0.1, 1).asDiagonal();
   const SparseMatrix stiffness = assembleStiffness(d, std::vector<Eigen::Matrix3d>(d.size(), a));
   Eigen::VectorXd linear(d.size());
-  for (Index i = 0; i < d.size(); ++i) linear[i] = 2 * d.sites.positions[i].x() - 3 * d.sites.positions[i].y();
+  for (Index i = 0; i < d.size(); ++i)
+    linear[i] = 2 * d.sites.positions[i].x() - 3 * d.sites.positions[i].y();
   EXPECT_NEAR(linear.dot(stiffness * linear), 4 * 1 + 9 * 0.1, 1e-3);
 }
 
@@ -175,9 +179,11 @@ TEST_P(OnRandomSpheres, AsAccurateAsTheHullsCotangents) {
     }
     // The Voronoi column of the design's table, 2 k to 128 k.
     const double bar = n <= 2000 ? 0.0113 : n <= 8000 ? 0.0064 : n <= 32000 ? 0.0026 : 0.0011;
-    std::printf("%6d seed %d: hull %.5f %.5f %.5f  consensus %.5f %.5f %.5f  without %.5f %.5f %.5f (bar of the table %.4f)\n",
-                n, static_cast<int>(seed), hull[0], hull[1], hull[2], voted[0], voted[1], voted[2], local[0], local[1],
-                local[2], bar);
+    std::printf(
+        "%6d seed %d: hull %.5f %.5f %.5f  consensus %.5f %.5f %.5f  without %.5f %.5f %.5f (bar of the "
+        "table %.4f)\n",
+        n, static_cast<int>(seed), hull[0], hull[1], hull[2], voted[0], voted[1], voted[2], local[0],
+        local[1], local[2], bar);
     if (n > 2000) {
       EXPECT_LT(local[1], bar);
     }
@@ -185,26 +191,6 @@ TEST_P(OnRandomSpheres, AsAccurateAsTheHullsCotangents) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Assembly, OnRandomSpheres, testing::Values(2000, 8000, 32000));
-
-TEST(Assembly, CopiesOfAPlaceShareItsRow) {
-  auto positions = shapes::randomSphere(300);
-  positions.insert(positions.end(), positions.begin(), positions.begin() + 40);
-  positions.insert(positions.end(), positions.begin(), positions.begin() + 10);
-  const Discretization d = discretized(PointSet(positions));
-  const SparseMatrix sites = assembleStiffness(d);
-  const SparseMatrix points = expandToPoints(d.sites, sites);
-  const std::vector<double> mass = expandMassToPoints(d.sites, d.mass);
-  ASSERT_EQ(points.rows(), 350);
-
-  // W averages the copies of each place.
-  Eigen::MatrixXd average = Eigen::MatrixXd::Zero(300, 350);
-  for (Index p = 0; p < 350; ++p) average(d.sites.siteOfPoint[p], p) = 1;
-  for (Eigen::Index s = 0; s < 300; ++s) average.row(s) /= average.row(s).sum();
-  const Eigen::MatrixXd expected = average.transpose() * Eigen::MatrixXd(sites) * average;
-  EXPECT_LT((Eigen::MatrixXd(points) - expected).cwiseAbs().maxCoeff(), 1e-12);
-  EXPECT_LT((points * Eigen::VectorXd::Ones(350)).cwiseAbs().maxCoeff(), 1e-12);
-  EXPECT_NEAR(std::accumulate(mass.begin(), mass.end(), 0.0), std::accumulate(d.mass.begin(), d.mass.end(), 0.0), 1e-9);
-}
 
 }  // namespace
 }  // namespace stipple

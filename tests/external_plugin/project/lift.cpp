@@ -1,7 +1,7 @@
 // A plugin as a stranger would write it: moves the points of a region up, by a finite-element average of the
 // region.
 
-#include "core/fem/assembly.h"
+#include "core/fem/point_rows.h"
 #include "core/geometry/discretization.h"
 #include "plugins/api/fe_parameters.h"
 #include "plugins/api/plugin.h"
