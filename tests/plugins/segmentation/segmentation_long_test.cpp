@@ -31,7 +31,7 @@ double shareAcross(double turn, double setting, std::uint64_t seed, double noise
 
 // Noise in hundredths of the spacing.
 class AtNoise : public testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(SegmentationLong, AtNoise, testing::Values(0, 10, 30),
+INSTANTIATE_TEST_SUITE_P(SegmentationLong, AtNoise, testing::Values(0, 10, 20),
                          testing::PrintToStringParamName());
 
 TEST_P(AtNoise, StraightCreasesOnTwentySamples) {
@@ -54,7 +54,7 @@ TEST(SegmentationLong, FandiskAtOtherDensitiesAndWithNoise) {
   Progress progress;
   const PointSet mesh = readPoints(testData("cad/fandisk.off"), progress).points;
   for (const auto& [count, noise] :
-       {std::pair(15000, 0.0), {21000, 0.0}, {21000, 0.05}, {60000, 0.0}, {60000, 0.1}}) {
+       {std::pair(30000, 0.0), {21000, 0.0}, {21000, 0.05}, {60000, 0.0}, {60000, 0.1}}) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
       const shapes::FacedPoints samples =
           shapes::sampleFaces(mesh, 40 * std::numbers::pi / 180, count, seed, noise);
