@@ -18,7 +18,7 @@ std::vector<float> classifierOf(const PointSet& points, std::int64_t k) {
   Parameters parameters(classifier->description().parameters);
   parameters.set("k", k);
   Progress progress;
-  const std::unique_ptr<Run> run = classifier->start(points, Region(), parameters);
+  const auto run = classifier->start(points, Region(), parameters);
   EXPECT_TRUE(run->step(progress).finished);
   const PointSet result = run->result().points;
   const auto values = result.values<float>("classifier");
@@ -74,8 +74,7 @@ TEST(Classifier, ARadiusWidensTheNeighborhood) {
   Parameters parameters(classifier->description().parameters);
   parameters.set("epsilon", 0.4);
   Progress progress;
-  const std::unique_ptr<Run> run =
-      classifier->start(PointSet(shapes::randomSphere(2000)), Region(), parameters);
+  const auto run = classifier->start(PointSet(shapes::randomSphere(2000)), Region(), parameters);
   run->step(progress);
   const PointSet result = run->result().points;
   const auto values = result.values<float>("classifier");
