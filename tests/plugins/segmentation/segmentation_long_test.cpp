@@ -1,16 +1,11 @@
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <ctime>
-#include <limits>
 #include <numbers>
 
-#include "core/fem/assembly.h"
 #include "core/io/point_io.h"
-#include "core/pde/diffusion.h"
 #include "tests/plugins/segmentation/segment_points.h"
 #include "tests/support/test_data.h"
 
@@ -77,45 +72,6 @@ TEST(SegmentationLong, ACubeOfAMillionPoints) {
   EXPECT_EQ(found.segments, 6);
   EXPECT_EQ(found.facesFound, 6);
   EXPECT_GT(found.purity, 0.999);
-}
-
-double processorSeconds() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
-// Processor seconds of preparation and twenty steps, the best of three: other programs may be running.
-double timeTwentySteps(const Discretization& d, const SparseMatrix& stiffness, SolverMethod method) {
-  Eigen::AlignedBox3f box;
-  for (const Eigen::Vector3f& p : d.sites.positions) box.extend(p);
-  const DiffusionOptions options = {.timeStep = 4e-4 * static_cast<double>(box.diagonal().squaredNorm()),
-                                    .held = {0},
-                                    .solver = {.method = method, .tolerance = 1e-5, .expectedSolves = 20}};
-  double best = std::numeric_limits<double>::max();
-  for (int attempt = 0; attempt < 3; ++attempt) {
-    const double start = processorSeconds();
-    const DiffusionStepper stepper(stiffness, d.mass, options);
-    Eigen::VectorXd u = Eigen::VectorXd::Zero(d.size());
-    u[0] = 1;
-    for (int step = 0; step < 20; ++step) stepper.step(u);
-    best = std::min(best, processorSeconds() - start);
-  }
-  return best;
-}
-
-TEST(SegmentationLong, TwentyDiffusionStepsOnIgea) {
-  STIPPLE_NEEDS_TEST_DATA();
-  Progress progress;
-  const PointSet igea = readPoints(testData("smooth/igea_134k.ply"), progress).points;
-  const Discretization d = discretize(igea, {}, progress);
-  const SparseMatrix stiffness = assembleStiffness(d);
-  const double chosen = timeTwentySteps(d, stiffness, SolverMethod::kAuto);
-  std::printf(
-      "20 steps with their preparation: %.3f cpu-s as chosen, %.3f by Cholesky, %.3f by conjugate "
-      "gradients\n",
-      chosen, timeTwentySteps(d, stiffness, SolverMethod::kCholesky),
-      timeTwentySteps(d, stiffness, SolverMethod::kConjugateGradient));
-  // A tenth of the 0.57 s a step that the paper takes for 121723 points.
-  EXPECT_LT(chosen, 20 * 0.057 * d.size() / 121723);
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+#include "plugins/segmentation/segmentation.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
