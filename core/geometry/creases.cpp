@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/geometry/local_moments.h"
 #include "core/geometry/neighborhoods.h"
 
 namespace stipple {
@@ -32,20 +33,11 @@ struct FittedPlane {
 };
 
 FittedPlane fitPlane(const Sites& sites, Index site, std::span<const Index> neighbors) {
-  const Eigen::Vector3f x = sites.positions[site];
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
-  for (const Index j : neighbors) {
-    const Eigen::Vector3d d = (sites.positions[j] - x).cast<double>();
-    sum += d;
-    products.noalias() += d * d.transpose();
-  }
-  const auto count = static_cast<double>(neighbors.size() + 1);
-  const Eigen::Vector3d mean = sum / count;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(products / count - mean * mean.transpose());
+  const LocalMoments local = sumMoments(sites.positions, site, neighbors);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(local.covariance);
   // Three parameters were fitted.
-  const double unbiased = count / std::max(count - 3, 1.0);
-  return {{x + mean.cast<float>(), solver.eigenvectors().col(0).cast<float>()},
+  const double unbiased = local.count / std::max(local.count - 3, 1.0);
+  return {{sites.positions[site] + local.mean.cast<float>(), solver.eigenvectors().col(0).cast<float>()},
           static_cast<float>(unbiased * std::max(0.0, solver.eigenvalues()[0]))};
 }
 

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "core/geometry/local_moments.h"
 #include "core/stopwatch.h"
 
 namespace stipple {
@@ -28,15 +29,8 @@ std::uint64_t mix(std::uint64_t v) {  // splitmix64, Steele et al. 2014
 
 Eigen::Vector3f normalOf(std::span<const Eigen::Vector3f> positions, Index site,
                          std::span<const Index> neighbors) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
-  for (const Index j : neighbors) {
-    const Eigen::Vector3d d = (positions[j] - positions[site]).cast<double>();
-    sum += d;
-    products.noalias() += d * d.transpose();
-  }
-  products -= sum * sum.transpose() / (static_cast<double>(neighbors.size()) + 1);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(products);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
+      sumMoments(positions, site, neighbors).covariance);
   return solver.eigenvectors().col(0).cast<float>().normalized();
 }
 

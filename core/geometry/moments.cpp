@@ -4,27 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/local_moments.h"
+
 namespace stipple {
 
 namespace {
 
 Moments fitOne(const Sites& sites, Index site, std::span<const Index> neighbors,
                std::span<const float> squared) {
-  const Eigen::Vector3f x = sites.positions[site];
-  // Sums about the site itself, where the numbers are small.
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
-  for (const Index j : neighbors) {
-    const Eigen::Vector3d d = (sites.positions[j] - x).cast<double>();
-    sum += d;
-    products.noalias() += d * d.transpose();
-  }
-  const double count = static_cast<double>(neighbors.size()) + 1;
-  const Eigen::Vector3d mean = sum / count;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(products / count - mean * mean.transpose());
+  const LocalMoments local = sumMoments(sites.positions, site, neighbors);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(local.covariance);
 
   Moments m;
-  m.centerOffset = mean.cast<float>();
+  m.centerOffset = local.mean.cast<float>();
   m.radius = squared.empty() ? 0.f : std::sqrt(squared.back());
   m.eigenvalues = solver.eigenvalues().reverse().cwiseMax(0.0).cast<float>();
   m.axes.col(0) = solver.eigenvectors().col(2).cast<float>();

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/io/point_io.h"
+#include "tests/support/harmonic_errors.h"
 #include "tests/support/hull_referee.h"
 #include "tests/support/shapes.h"
 #include "tests/support/test_data.h"
@@ -137,32 +138,6 @@ TEST(Assembly, SchemeMeshIsTheCotangentMatrix) {
   }
 }
 
-// (M + L) u = M f has the solution f / (1 + l (l + 1)) for a spherical harmonic of degree l.
-std::array<double, 3> harmonicErrors(const Discretization& d) {
-  Eigen::SparseMatrix<double> system = assembleStiffness(d);
-  const auto mass = vectorOf(d.mass);
-  system.diagonal() += mass;
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(system);
-  const auto harmonic = [](int which, const Eigen::Vector3d& p) {
-    const double z2 = p.z() * p.z();
-    if (which == 0) return p.z();
-    if (which == 1) return (p.x() * p.x() - p.y() * p.y()) * p.z();
-    return 35 * z2 * z2 - 30 * z2 + 3;
-  };
-  const std::array<int, 3> degrees{1, 3, 4};
-  std::array<double, 3> errors{};
-  for (int which = 0; which < 3; ++which) {
-    Eigen::VectorXd f(d.size());
-    for (Index i = 0; i < d.size(); ++i) f[i] = harmonic(which, d.sites.positions[i].cast<double>());
-    const int l = degrees[static_cast<std::size_t>(which)];
-    const Eigen::VectorXd exact = f / (1 + l * (l + 1));
-    const Eigen::VectorXd error = factor.solve(mass.cwiseProduct(f)) - exact;
-    errors[static_cast<std::size_t>(which)] =
-        std::sqrt(mass.dot(error.cwiseAbs2()) / mass.dot(exact.cwiseAbs2()));
-  }
-  return errors;
-}
-
 class OnRandomSpheres : public testing::TestWithParam<int> {};
 
 TEST_P(OnRandomSpheres, AsAccurateAsTheHullsCotangents) {
@@ -177,15 +152,9 @@ TEST_P(OnRandomSpheres, AsAccurateAsTheHullsCotangents) {
     for (std::size_t h = 0; h < 3; ++h) {
       EXPECT_LT(voted[h], 1.1 * hull[h]) << "harmonic " << h << " seed " << seed;
     }
-    // The Voronoi column of the design's table, 2 k to 128 k.
-    const double bar = n <= 2000 ? 0.0113 : n <= 8000 ? 0.0064 : n <= 32000 ? 0.0026 : 0.0011;
-    std::printf(
-        "%6d seed %d: hull %.5f %.5f %.5f  consensus %.5f %.5f %.5f  without %.5f %.5f %.5f (bar of the "
-        "table %.4f)\n",
-        n, static_cast<int>(seed), hull[0], hull[1], hull[2], voted[0], voted[1], voted[2], local[0],
-        local[1], local[2], bar);
-    if (n > 2000) {
-      EXPECT_LT(local[1], bar);
+    // Without consensus no worse either.
+    for (std::size_t h = 0; h < 3; ++h) {
+      EXPECT_LT(local[h], 1.1 * hull[h]) << "harmonic " << h << " seed " << seed;
     }
   }
 }
