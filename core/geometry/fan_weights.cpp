@@ -11,9 +11,10 @@ namespace {
 struct FanSums {
   std::vector<double> weights;  // half sums of cotangents a spoke
   double area = 0;              // of the triangles
-  double cell = 0;              // Voronoi cell, sound where no weight is negative
+  double cell = 0;              // Voronoi cell
 
   void measure(std::span<const Eigen::Vector3d> spokes, std::span<const std::uint8_t> flags);
+  bool cellIsSound(std::span<const Eigen::Vector3d> spokes) const;
 };
 
 void FanSums::measure(std::span<const Eigen::Vector3d> spokes, std::span<const std::uint8_t> flags) {
@@ -32,6 +33,16 @@ void FanSums::measure(std::span<const Eigen::Vector3d> spokes, std::span<const s
     cell += 0.25 * (aa * halfCotAtB + bb * halfCotAtA);
     area += 0.5 * twiceArea;
   }
+}
+
+// A star has no negative part but by rounding. A fan that consensus changed may have: small ones are given to
+// the neighbors, as in every partition by circumcenters, and cells still add up to the area.
+bool FanSums::cellIsSound(std::span<const Eigen::Vector3d> spokes) const {
+  constexpr double kSmallShare = 0.2;
+  double negative = 0;
+  for (std::size_t s = 0; s < spokes.size(); ++s)
+    negative += std::max(0.0, -weights[s]) * spokes[s].squaredNorm() / 4;
+  return cell > 0 && negative <= kSmallShare * cell;
 }
 
 class FanWeigher {
@@ -82,9 +93,7 @@ void FanWeigher::weigh(Index begin, Index end) const {
     double* const weights = result_.weights.data() + fans_.offsets[site];
     paper_&& unfolded_ ? inSpace(site, spokes) : inPlane(site, spokes);
     sums.measure(spokes, flags);
-    // A star has no negative weight but by rounding at a tie; a fan that consensus changed may have.
-    const auto isSound = [](double weight) { return weight >= -1e-6; };
-    const bool useCell = !paper_ && !fans_.open[site] && std::ranges::all_of(sums.weights, isSound);
+    const bool useCell = !paper_ && !fans_.open[site] && sums.cellIsSound(spokes);
     result_.mass[site] = useCell ? sums.cell : sums.area / 3;
     for (std::size_t s = 0; s < flags.size(); ++s) {
       weights[s] = paper_ ? sums.weights[s] : std::max(0.0, sums.weights[s]);
