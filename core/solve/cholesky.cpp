@@ -6,12 +6,21 @@
 #include <algorithm>
 #include <chrono>
 #include <future>
+#include <mutex>
 #include <thread>
 #include <vector>
 
 namespace stipple {
 
 namespace {
+
+// The serial BLAS hands out its buffers without locks: two threads in it at once give wrong numbers, even on
+// different factors (seen beside an abandoned factorization). One lock for the process, as the buffers are
+// one.
+std::mutex& blasMutex() {
+  static std::mutex mutex;
+  return mutex;
+}
 
 // Workspace and settings of CHOLMOD. Silent: libraries never print.
 struct Workspace {
@@ -74,6 +83,7 @@ CholeskyFactor::CholeskyFactor() : impl_(std::make_unique<Impl>()) {}
 CholeskyFactor::~CholeskyFactor() = default;
 
 void CholeskyFactor::factorize(const SparseMatrix& matrix) {
+  const std::lock_guard lock(blasMutex());
   Impl& self = *impl_;
   cholmod_common& common = self.workspace.common;
   cholmod_sparse view = viewOf(matrix);
@@ -95,6 +105,7 @@ void CholeskyFactor::factorize(const SparseMatrix& matrix) {
 }
 
 void CholeskyFactor::solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::Ref<Eigen::MatrixXd> x) const {
+  const std::lock_guard lock(blasMutex());
   cholmod_dense rhs{};
   rhs.nrow = b.rows();
   rhs.ncol = b.cols();
