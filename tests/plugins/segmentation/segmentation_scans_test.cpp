@@ -77,6 +77,8 @@ TEST_P(OnScansWithFaces, LabelsOfPointsAndMeshAgree) {
   STIPPLE_NEEDS_TEST_DATA();
   PointSet points = readScan(GetParam());
   points.set("seeds", seedsAtTips(points, 6));
+  // Not the default of 45, where the bar of 99 % does not hold yet (armadillo 98.9 %): walls of turnings near
+  // the setting depend on single edges, and the two schemes have other edges there.
   const Settings settings = {{"seeds", std::string("seeds")}, {"crease_angle", 90.0}, {"fill", true}};
   Settings meshSettings = settings;
   meshSettings.emplace_back("scheme", std::string("mesh"));
