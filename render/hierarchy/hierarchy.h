@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/parallel.h"
+#include "core/points/attribute.h"
+#include "render/hierarchy/view.h"
+
+namespace stipple {
+
+/// What is drawn for a node: a disc of the surface. The layout is that of the buffers on the GPU.
+struct Splat {
+  float x = 0, y = 0, z = 0;  ///< center, world
+  float radius = 0;           ///< of the disc; the kernel falls to zero there
+  std::uint32_t normal = 0;   ///< octahedral, see packNormal
+  Rgba8 color;                ///< sRGB; alpha holds how much is selected, 0 to 255
+
+  glm::vec3 center() const { return {x, y, z}; }
+};
+static_assert(sizeof(Splat) == 24);
+
+/// Unit vector in 2 x 16 bits on the octahedron (Meyer et al. 2010).
+std::uint32_t packNormal(const glm::vec3& normal);
+glm::vec3 unpackNormal(std::uint32_t packed);
+
+/// What the cut needs of an inner node, about the center of its splat.
+struct Bound {
+  float radius = 0;   ///< of the sphere about all descendants' discs
+  float cosine = -1;  ///< of the half angle of the cone about all descendants' normals; -1: no cone
+};
+
+/// Splats of all levels in one array: level 0 are the leaves, one a point, in an order that makes every aligned block of
+/// 4^k of them a compact subtree; the parent of node i of a level is node i / 4 of the next, up to a single root.
+/// A node's color and normal are the area-weighted means of its children's, its squared radius is their sum.
+class Hierarchy {
+ public:
+  static constexpr int kArity = 4;
+
+  Hierarchy() = default;
+  /// Room for `leaves` leaves and all nodes above them, not filled in.
+  explicit Hierarchy(Index leaves);
+
+  Index leafCount() const { return leaves_; }
+  Index nodeCount() const { return levelBegins_.empty() ? 0 : levelBegins_.back(); }
+  int levelCount() const { return static_cast<int>(levelBegins_.size()) - 1; }
+  /// Nodes of a level are [levelBegin(level), levelBegin(level + 1)).
+  Index levelBegin(int level) const { return levelBegins_[level]; }
+  Index levelSize(int level) const { return levelBegins_[level + 1] - levelBegins_[level]; }
+
+  std::span<const Splat> splats() const { return {splats_.get(), nodeCount()}; }
+  std::span<Splat> editSplats() { return {splats_.get(), nodeCount()}; }
+  /// Of an inner node, by its index among all nodes.
+  const Bound& bound(Index node) const { return bounds_[node - leaves_]; }
+  Bound& editBound(Index node) { return bounds_[node - leaves_]; }
+  float boundingRadius(Index node) const { return node < leaves_ ? splats_[node].radius : bounds_[node - leaves_].radius; }
+
+  /// Slots are leaves: point of slot, slot of point.
+  std::vector<Index> pointOfSlot, slotOfPoint;
+  /// The surface is closed and its normals point outwards: what faces away may be left out.
+  bool isClosedAndOriented = false;
+
+  std::size_t memoryBytes() const;
+
+ private:
+  Index leaves_ = 0;
+  std::vector<Index> levelBegins_;
+  std::unique_ptr<Splat[]> splats_;
+  std::unique_ptr<Bound[]> bounds_;
+};
+
+}  // namespace stipple
