@@ -26,13 +26,15 @@ bool hasCurrent(const char* library, const char* query) {
 bool Context::isSoftware() const {
   constexpr std::array<std::string_view, 4> kSoftware = {"llvmpipe", "softpipe", "swrast",
                                                          "Software Rasterizer"};
-  return std::ranges::any_of(kSoftware, [this](std::string_view name) { return renderer.find(name) != std::string::npos; });
+  return std::ranges::any_of(
+      kSoftware, [this](std::string_view name) { return renderer.find(name) != std::string::npos; });
 }
 
 std::optional<Context> currentContext() {
   // The loader ends the program where it is called without a context.
   if (!hasCurrent("libEGL.so.1", "eglGetCurrentContext") &&
-      !hasCurrent("libGLX.so.0", "glXGetCurrentContext") && !hasCurrent("libGL.so.1", "glXGetCurrentContext")) {
+      !hasCurrent("libGLX.so.0", "glXGetCurrentContext") &&
+      !hasCurrent("libGL.so.1", "glXGetCurrentContext")) {
     return std::nullopt;
   }
   if (!epoxy_is_desktop_gl()) return std::nullopt;

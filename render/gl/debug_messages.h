@@ -6,8 +6,8 @@
 
 namespace stipple::gl {
 
-/// Collects what the driver of the current context complains about (errors, undefined behavior, high severity) while
-/// it lives. Complete only in debug contexts. Replaces another debug callback.
+/// Collects what the driver of the current context complains about (errors, undefined behavior, high
+/// severity) while it lives. Complete only in debug contexts. Replaces another debug callback.
 class DebugMessages {
  public:
   DebugMessages();

@@ -12,7 +12,8 @@ namespace stipple::gl {
 
 namespace {
 
-// Displays that need no window system: Mesa's without surfaces, then one for each graphics card, then the default.
+// Displays that need no window system: Mesa's without surfaces, then one for each graphics card, then the
+// default.
 std::vector<EGLDisplay> findDisplays() {
   std::vector<EGLDisplay> displays;
   const auto addPlatform = [&displays](EGLenum platform, void* native) {
@@ -39,16 +40,20 @@ EGLContext createContext(EGLDisplay display) {
   if (!epoxy_has_egl_extension(display, "EGL_KHR_surfaceless_context") || !eglBindAPI(EGL_OPENGL_API)) {
     return EGL_NO_CONTEXT;
   }
-  constexpr std::array<EGLint, 5> kConfig = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+  constexpr std::array<EGLint, 5> kConfig = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+                                             EGL_NONE};
   EGLConfig config = nullptr;
   EGLint found = 0;
   if (!eglChooseConfig(display, kConfig.data(), &config, 1, &found) || found == 0) return EGL_NO_CONTEXT;
-  constexpr std::array<EGLint, 9> kVersion = {
-      EGL_CONTEXT_MAJOR_VERSION,       4,
-      EGL_CONTEXT_MINOR_VERSION,       5,
-      EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-      EGL_CONTEXT_OPENGL_DEBUG,        EGL_TRUE,
-      EGL_NONE};
+  constexpr std::array<EGLint, 9> kVersion = {EGL_CONTEXT_MAJOR_VERSION,
+                                              4,
+                                              EGL_CONTEXT_MINOR_VERSION,
+                                              5,
+                                              EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                              EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                              EGL_CONTEXT_OPENGL_DEBUG,
+                                              EGL_TRUE,
+                                              EGL_NONE};
   return eglCreateContext(display, config, EGL_NO_CONTEXT, kVersion.data());
 }
 

@@ -4,7 +4,8 @@
 
 namespace stipple::gl {
 
-/// An OpenGL 4.5 core context without a window, made current in the thread that creates it, where it must end as well.
+/// An OpenGL 4.5 core context without a window, made current in the thread that creates it, where it must end
+/// as well.
 class EglContext {
  public:
   /// Throws IoError, saying in one sentence what is missing, where the system has no such context.

@@ -57,8 +57,8 @@ FramebufferScope::~FramebufferScope() {
 }
 
 void blitFlipped(const Framebuffer& source, int width, int height, unsigned target) {
-  glBlitNamedFramebuffer(source.name(), target, 0, 0, width, height, 0, height, width, 0,
-                         GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBlitNamedFramebuffer(source.name(), target, 0, 0, width, height, 0, height, width, 0, GL_COLOR_BUFFER_BIT,
+                         GL_NEAREST);
 }
 
 }  // namespace stipple::gl

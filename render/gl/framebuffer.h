@@ -44,7 +44,8 @@ class FramebufferScope {
   std::array<int, 4> viewport_{};
 };
 
-/// Copies the first color attachment into the framebuffer `target`, upside down: its first row comes to the top.
+/// Copies the first color attachment into the framebuffer `target`, upside down: its first row comes to the
+/// top.
 void blitFlipped(const Framebuffer& source, int width, int height, unsigned target);
 
 }  // namespace stipple::gl

@@ -2,6 +2,8 @@
 
 #include <epoxy/gl.h>
 
+#include <initializer_list>
+
 namespace stipple::gl {
 
 namespace {
@@ -27,9 +29,10 @@ void applyBlend(const Pipeline& pipeline) {
 }  // namespace
 
 void apply(const Pipeline& pipeline) {
-  for (const GLenum off : {GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_POLYGON_OFFSET_FILL,
-                           GL_RASTERIZER_DISCARD, GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_MASK, GL_COLOR_LOGIC_OP,
-                           GL_FRAMEBUFFER_SRGB, GL_DITHER, GL_DEPTH_CLAMP, GL_PRIMITIVE_RESTART}) {
+  for (const GLenum off :
+       {GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_POLYGON_OFFSET_FILL, GL_RASTERIZER_DISCARD,
+        GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_MASK, GL_COLOR_LOGIC_OP, GL_FRAMEBUFFER_SRGB, GL_DITHER,
+        GL_DEPTH_CLAMP, GL_PRIMITIVE_RESTART}) {
     glDisable(static_cast<GLenum>(off));
   }
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);

@@ -15,8 +15,8 @@ struct Pipeline {
   int clipDistances = 0;
 };
 
-/// Sets all of it, whatever the state was, so that clears and draws reach every pixel of the framebuffer. Nothing that is
-/// left behind changes what a fresh context draws, except for depth test and blending.
+/// Sets all of it, whatever the state was, so that clears and draws reach every pixel of the framebuffer.
+/// Nothing that is left behind changes what a fresh context draws, except for depth test and blending.
 void apply(const Pipeline& pipeline);
 
 /// Draws triangles whose corners the vertex shader makes of gl_VertexID alone.

@@ -45,7 +45,8 @@ void destroyProgram(unsigned name) {
   glDeleteProgram(name);
 }
 
-Program::Program(const std::filesystem::path& folder, const std::string& vertex, const std::string& fragment) {
+Program::Program(const std::filesystem::path& folder, const std::string& vertex,
+                 const std::string& fragment) {
   const Shader vertexShader = compile(folder, vertex, GL_VERTEX_SHADER);
   const Shader fragmentShader = compile(folder, fragment, GL_FRAGMENT_SHADER);
   name_ = ObjectName<destroyProgram>(glCreateProgram());

@@ -14,7 +14,8 @@ void destroyProgram(unsigned name);
 class Program {
  public:
   Program() = default;
-  /// Files of the folder. Throws IoError where one cannot be read or the driver refuses it, naming file and line.
+  /// Files of the folder. Throws IoError where one cannot be read or the driver refuses it, naming file and
+  /// line.
   Program(const std::filesystem::path& folder, const std::string& vertex, const std::string& fragment);
 
   void use() const;

@@ -67,7 +67,8 @@ std::string nameFiles(std::string_view log, const std::vector<std::string>& file
 fs::path shaderFolder() {
   Dl_info library{};
   if (dladdr(reinterpret_cast<const void*>(&shaderFolder), &library) == 0 || !library.dli_fname) {
-    throw IoError("the folder of the shaders cannot be found: this program does not know where its libraries are");
+    throw IoError(
+        "the folder of the shaders cannot be found: this program does not know where its libraries are");
   }
   // In the build tree as installed: a fixed way from the library's folder.
   return (fs::absolute(library.dli_fname).parent_path() / STIPPLE_SHADERS_FROM_LIBRARY).lexically_normal();

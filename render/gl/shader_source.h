@@ -7,7 +7,8 @@
 
 namespace stipple::gl {
 
-/// A shader's text with the files that it includes put in place, each once (#include "name", a file of the same folder).
+/// A shader's text with the files that it includes put in place, each once (#include "name", a file of the
+/// same folder).
 struct ShaderSource {
   std::string text;
   std::vector<std::string> files;  ///< names by the number that #line gives them

@@ -19,11 +19,16 @@ struct Layout {
 
 Layout layoutOf(Format format) {
   switch (format) {
-    case Format::kRgba8: return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
-    case Format::kRgba16F: return {GL_RGBA16F, GL_RGBA, GL_FLOAT};
-    case Format::kRgba32F: return {GL_RGBA32F, GL_RGBA, GL_FLOAT};
-    case Format::kRgba32Ui: return {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
-    case Format::kDepth32F: return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT};
+    case Format::kRgba8:
+      return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
+    case Format::kRgba16F:
+      return {GL_RGBA16F, GL_RGBA, GL_FLOAT};
+    case Format::kRgba32F:
+      return {GL_RGBA32F, GL_RGBA, GL_FLOAT};
+    case Format::kRgba32Ui:
+      return {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
+    case Format::kDepth32F:
+      return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT};
   }
   assert(false);
   return {};
@@ -39,9 +44,8 @@ Texture2D::Texture2D(Format format, int width, int height) : format_(format), wi
   GLint largest = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
   if (width < 1 || height < 1 || width > largest || height > largest) {
-    throw InvalidInput(
-        fmt::format("a picture of {} x {} pixels, this graphics card takes 1 to {} each way", width, height,
-                    largest));
+    throw InvalidInput(fmt::format("a picture of {} x {} pixels, this graphics card takes 1 to {} each way",
+                                   width, height, largest));
   }
   GLuint name = 0;
   glCreateTextures(GL_TEXTURE_2D, 1, &name);

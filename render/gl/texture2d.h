@@ -24,8 +24,8 @@ class Texture2D {
   unsigned name() const { return name_.get(); }
 
   void bind(unsigned unit) const;
-  /// The texels of a rectangle, row by row, in the texture's own format (4 bytes, 4 floats, 4 integers a texel). Waits
-  /// for the card.
+  /// The texels of a rectangle, row by row, in the texture's own format (4 bytes, 4 floats, 4 integers a
+  /// texel). Waits for the card.
   void read(int x, int y, int width, int height, std::span<std::byte> texels) const;
 
  private:
