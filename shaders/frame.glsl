@@ -24,7 +24,7 @@ layout(std140, binding = 0) uniform Frame {
   float diffuse;
   vec4 background;         // linear, straight alpha
   float leastWeight;
-  float edgeStrength;
+  float edgeStrength;      // of the mean response of the neighbors
   uint isLit;
   uint isTwoSided;
   uint splatMode;          // kSplats, kDiscs, kPoints

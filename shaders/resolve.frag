@@ -40,7 +40,7 @@ float edgeShade(ivec2 pixel, float depth) {
     response += edgeTowards(pixel, ivec2(reach, 0), depth) + edgeTowards(pixel, ivec2(-reach, 0), depth) +
                 edgeTowards(pixel, ivec2(0, reach), depth) + edgeTowards(pixel, ivec2(0, -reach), depth);
   }
-  return clamp(exp(-300 * frame.edgeStrength * response / 8), 0.25, 1);
+  return max(exp(-frame.edgeStrength * response / 8), 0.25);
 }
 
 vec3 drawBrush(vec3 color, vec3 inView, float depth) {

@@ -7,6 +7,8 @@ namespace stipple {
 
 namespace {
 
+constexpr float kEdgePerHeight = 0.2f;
+
 glm::vec3 linearOf(const Rgba8& color) {
   return {linearTable()[color.r], linearTable()[color.g], linearTable()[color.b]};
 }
@@ -53,10 +55,10 @@ FrameBlock makeFrameBlock(const View& view, const Appearance& appearance, bool i
     block.brushColor = linearOf(appearance.brush->color);
   }
   if (appearance.background) {
-    block.background =
-        glm::vec4(linearOf(*appearance.background), static_cast<float>(appearance.background->a) / 255);
+    block.background = glm::vec4(linearOf(*appearance.background), 1);
   }
-  block.edgeStrength = appearance.edgeStrength;
+  // One picture height away darkens as much in both projections and at any size of the picture.
+  block.edgeStrength = kEdgePerHeight * static_cast<float>(view.height) * appearance.edgeStrength;
   block.isLit = appearance.lit;
   block.isTwoSided = appearance.twoSided;
   block.splatMode = static_cast<std::uint32_t>(appearance.mode);

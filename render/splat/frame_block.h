@@ -29,7 +29,8 @@ struct FrameBlock {
   glm::vec3 brushColor;
   float diffuse;
   glm::vec4 background;
-  float leastWeight, edgeStrength;
+  float leastWeight;
+  float edgeStrength;  // of the mean response of the neighbors
   std::uint32_t isLit, isTwoSided, splatMode, isBlended;
   std::array<float, 2> padding;
 };
