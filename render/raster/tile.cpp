@@ -166,8 +166,11 @@ HWY_INLINE void shadeRow(const Tile& tile, int y, bool lit, FrameBuffers& frame)
       const V along =
           hn::MulAdd(nx, hn::Set(f, light::kKey.x),
                      hn::MulAdd(ny, hn::Set(f, light::kKey.y), hn::Mul(nz, hn::Set(f, light::kKey.z))));
-      const V facing = hn::Max(hn::Zero(f), hn::Div(along, hn::Max(length, hn::Set(f, 1e-12f))));
-      shade = hn::MulAdd(hn::Set(f, light::kDiffuse), facing, hn::Set(f, light::kAmbient));
+      const V perLength = hn::Div(hn::Set(f, 1), hn::Max(length, hn::Set(f, 1e-12f)));
+      const V key = hn::Max(hn::Zero(f), hn::Mul(along, perLength));
+      const V head = hn::Max(hn::Zero(f), hn::Neg(hn::Mul(nz, perLength)));
+      shade = hn::MulAdd(hn::Set(f, light::kDiffuse), key, hn::Set(f, light::kAmbient));
+      shade = hn::MulAdd(hn::Set(f, light::kHead), head, shade);
     }
     shade = hn::Mul(shade, scale);
     for (int k = 0; k < 3; ++k) hn::Store(hn::Mul(shade, sum(k)), f, rgb[k] + x);
