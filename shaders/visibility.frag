@@ -1,0 +1,17 @@
+#version 450 core
+// The nearest splat of every pixel, and the depth there.
+#include "frame.glsl"
+#include "footprint.glsl"
+
+flat in mat3x4 packedFootprint;
+flat in uvec3 splat;
+
+layout(location = 0) out uvec4 visible;
+
+void main() {
+  Footprint footprint = unpack(packedFootprint);
+  float depth;
+  if (distanceIn(footprint, gl_FragCoord.xy, depth) > 1) discard;
+  gl_FragDepth = depthOrder(depth);
+  visible = uvec4(splat, floatBitsToUint(depth));
+}
