@@ -1,0 +1,17 @@
+#version 450 core
+#include "splat.glsl"
+
+flat out Footprint footprint;
+flat out uint node;
+flat out vec3 normal;
+flat out vec3 albedo;
+
+void main() {
+  Disc disc = fetchDisc();
+  mat2 pxFromDisc;
+  footprint = footprintOf(disc, pxFromDisc);
+  node = disc.node;
+  normal = disc.normal;
+  albedo = albedoOf(unpackUnorm4x8(disc.color));
+  gl_Position = cornerOf(disc, footprint, pxFromDisc);
+}

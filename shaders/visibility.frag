@@ -1,0 +1,16 @@
+#version 450 core
+// The nearest splat of every pixel, and the depth there.
+#include "frame.glsl"
+#include "footprint.glsl"
+
+flat in Footprint footprint;
+flat in uvec3 splat;
+
+layout(location = 0) out uvec4 visible;
+
+void main() {
+  float depth;
+  if (distanceIn(footprint, gl_FragCoord.xy, depth) > 1) discard;
+  gl_FragDepth = depthOrder(depth);
+  visible = uvec4(splat, floatBitsToUint(depth));
+}
