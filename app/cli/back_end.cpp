@@ -1,15 +1,24 @@
 #include "app/cli/back_end.h"
 
 #include "core/error.h"
-#include "render/splat/cpu_renderer.h"
+#include "render/gl/egl_context.h"
 
 namespace stipple {
 
-struct BackEnd::Context {};
+struct BackEnd::Context {
+  gl::EglContext egl;
+};
 
 BackEnd::BackEnd(Backend backend) {
-  if (backend == Backend::kGl) throw IoError("the back end 'gl' is not part of this program");
-  renderer_ = std::make_unique<CpuRenderer>();
+  if (backend != Backend::kCpu) {
+    try {
+      context_ = std::make_unique<Context>();
+    } catch (const IoError&) {
+      if (backend == Backend::kGl) throw;
+      backend = Backend::kCpu;
+    }
+  }
+  renderer_ = makeRenderer(backend);
 }
 
 BackEnd::~BackEnd() = default;

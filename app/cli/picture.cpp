@@ -10,8 +10,7 @@ namespace stipple {
 namespace {
 
 constexpr int kSpreadFrames = 16;
-constexpr Rgba8 kGlyphColor{20, 20, 20, 255};
-constexpr Rgba8 kGlyphColorOnDark{235, 235, 235, 255};
+constexpr Rgba8 kGlyphColor{222, 56, 32, 255};  // told from dark and bright surfaces and backgrounds
 
 // The digits of the index in the base, mirrored behind the point (Halton 1960).
 float mirrored(int index, int base) {
@@ -57,9 +56,7 @@ Image PictureMaker::take(const CameraAngles& camera, Progress& progress) {
     drawFrames(view, progress);
     Image image = backEnd_.renderer().image();
     if (!scene_.glyphs.empty()) {
-      const bool onDark = !scene_.points.has("color") && options_.colors.attribute.empty();
-      drawGlyphs(image, depthOf(view, progress), view, scene_.glyphs,
-                 onDark ? kGlyphColor : kGlyphColorOnDark);
+      drawGlyphs(image, depthOf(view, progress), view, scene_.glyphs, kGlyphColor);
     }
     return image;
   });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/raster/raster.h"
+#include "render/raster/triangle_frame.h"
 #include "render/splat/renderer.h"
 
 namespace stipple {
@@ -21,6 +22,7 @@ class CpuRenderer final : public Renderer {
   void take(FrameBuffers& frame, const View& view, const Appearance& appearance, Accumulate accumulate);
 
   Raster raster_;
+  MeshLayer triangles_;
   FrameBuffers drawn_, shown_;  // shown: complete; its light is the mean
   int frames_ = 0;
   View view_;

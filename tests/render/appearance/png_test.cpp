@@ -1,10 +1,10 @@
 #include "render/appearance/png.h"
 
 #include <gmock/gmock.h>
-#include <png.h>
 
 #include "core/io/texture.h"
 #include "tests/core/io/temporary_folder.h"
+#include "tests/support/png_picture.h"
 
 namespace stipple {
 namespace {
@@ -20,31 +20,12 @@ Image checkered(int width, int height, std::uint8_t alpha) {
   return image;
 }
 
-struct Read {
-  int channels = 0;
-  Image image;
-};
-
-// By libpng itself.
-Read readBack(const std::filesystem::path& path) {
-  png_image png{};
-  png.version = PNG_IMAGE_VERSION;
-  EXPECT_TRUE(png_image_begin_read_from_file(&png, path.c_str())) << png.message;
-  Read read{static_cast<int>(PNG_IMAGE_SAMPLE_CHANNELS(png.format)),
-            {static_cast<int>(png.width), static_cast<int>(png.height), {}}};
-  EXPECT_EQ(png.flags & PNG_IMAGE_FLAG_COLORSPACE_NOT_sRGB, 0u);
-  png.format = PNG_FORMAT_RGBA;
-  read.image.pixels.resize(std::size_t{png.width} * png.height);
-  EXPECT_TRUE(png_image_finish_read(&png, nullptr, read.image.pixels.data(), 0, nullptr));
-  return read;
-}
-
 TEST(WritePng, KeepsEveryPixelWithAlpha) {
   const TemporaryFolder folder;
   for (const std::uint8_t alpha : {0, 1, 254}) {
     const Image image = checkered(33, 17, alpha);
     writePng(folder / "a.png", image);
-    const Read read = readBack(folder / "a.png");
+    const PngPicture read = readPng(folder / "a.png");
     EXPECT_EQ(read.channels, 4);
     EXPECT_EQ(read.image.width, 33);
     EXPECT_EQ(read.image.height, 17);
@@ -57,7 +38,7 @@ TEST(WritePng, LeavesAlphaOutWhereAllIsOpaque) {
   for (const auto& [width, height] : {std::pair(1, 1), {1, 300}, {301, 2}}) {
     const Image image = checkered(width, height, 255);
     writePng(folder / "a.png", image);
-    const Read read = readBack(folder / "a.png");
+    const PngPicture read = readPng(folder / "a.png");
     EXPECT_EQ(read.channels, 3);
     EXPECT_EQ(read.image.pixels, image.pixels);
   }
@@ -85,7 +66,7 @@ TEST(WritePng, ReplacesAFileWholeOrNotAtAll) {
   EXPECT_THROW(writePng(folder.path(), checkered(5, 5, 255)), IoError);
   EXPECT_THROW(writePng(folder / "no" / "a.png", checkered(5, 5, 255)), IoError);
   writePng(folder / "a.png", checkered(6, 5, 255));
-  EXPECT_EQ(readBack(folder / "a.png").image.width, 6);
+  EXPECT_EQ(readPng(folder / "a.png").image.width, 6);
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1) << "nothing beside it";
 }
 
