@@ -38,8 +38,10 @@ void CpuRenderer::show(const View& view, const Appearance& appearance, Accumulat
   std::swap(drawn_, shown_);
 }
 
-void CpuRenderer::drawMesh(const SurfaceMesh&, const View&, const Appearance&, Accumulate, const Progress*) {
-  throw InvalidInput("triangles cannot be drawn by this back end");
+void CpuRenderer::drawMesh(const SurfaceMesh& mesh, const View& view, const Appearance& appearance,
+                           Accumulate accumulate, const Progress* progress) {
+  drawTriangles(mesh, view, appearance, triangles_, drawn_, progress);
+  take(drawn_, view, appearance, accumulate);
 }
 
 Image CpuRenderer::image() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/raster/raster.h"
+#include "render/raster/triangle_frame.h"
 #include "render/splat/renderer.h"
 
 namespace stipple {
@@ -22,6 +23,7 @@ class CpuRenderer final : public Renderer {
   void show(const View& view, const Appearance& appearance, Accumulate accumulate);
 
   Raster raster_;
+  MeshLayer triangles_;
   FrameBuffers drawn_, shown_;  // shown: complete; its light is the mean
   int frames_ = 0;
   View view_;
