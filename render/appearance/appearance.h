@@ -21,9 +21,9 @@ struct BrushRing {
 struct Appearance {
   SplatMode mode = SplatMode::kSplats;
   std::optional<Rgba8> background = Rgba8{43, 43, 46, 255};  ///< none: transparent
-  bool twoSided = true;      ///< faces seen from behind are lit like those seen from in front
-  bool lit = true;           ///< false: colors as they are
-  float edgeStrength = 0.6f; ///< eye-dome lighting, 0: off
+  bool twoSided = true;       ///< faces seen from behind are lit like those seen from in front
+  bool lit = true;            ///< false: colors as they are
+  float edgeStrength = 0.6f;  ///< eye-dome lighting, 0: off
   Rgba8 selectionColor{255, 152, 26, 255};
   std::optional<BrushRing> brush;
 };

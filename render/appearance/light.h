@@ -9,10 +9,11 @@
 
 namespace stipple {
 
-/// The light model that every back end and the shader resolve share. Directions are in view space (x right, y down,
-/// z forward), intensities linear.
+/// The light model that every back end and the shader resolve share. Directions are in view space (x right, y
+/// down, z forward), intensities linear.
 namespace light {
-inline constexpr glm::vec3 kKey{-0.325357f, -0.542261f, -0.774659f};  ///< towards the light over the viewer's left shoulder, unit
+inline constexpr glm::vec3 kKey{-0.325357f, -0.542261f,
+                                -0.774659f};  ///< towards the light over the viewer's left shoulder, unit
 inline constexpr float kAmbient = 0.18f, kDiffuse = 0.82f;
 
 /// Factor of the albedo for a unit normal; two-sided light turns normals towards the viewer before.
@@ -21,7 +22,9 @@ inline float shade(const glm::vec3& normal) {
 }
 }  // namespace light
 
-inline float linearFromSrgb(float s) { return s <= 0.04045f ? s / 12.92f : std::pow((s + 0.055f) / 1.055f, 2.4f); }
+inline float linearFromSrgb(float s) {
+  return s <= 0.04045f ? s / 12.92f : std::pow((s + 0.055f) / 1.055f, 2.4f);
+}
 inline float srgbFromLinear(float l) {
   return l <= 0.0031308f ? 12.92f * l : 1.055f * std::pow(l, 1 / 2.4f) - 0.055f;
 }

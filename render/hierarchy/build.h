@@ -12,11 +12,12 @@ namespace stipple {
 /// morton: at once, for the first picture. kd: nodes of half the size, takes longer.
 enum class LeafOrder { kMorton, kKd };
 
-/// What a leaf shows, by point. Empty spans: radii and normals are estimated from blocks of neighboring leaves (see
-/// block_estimates.h), colors are light gray.
+/// What a leaf shows, by point. Empty spans: radii, areas and normals are estimated from blocks of
+/// neighboring leaves (see block_estimates.h), colors are light gray.
 struct LeafAttributes {
   std::span<const Eigen::Vector3f> positions;
-  std::span<const float> radii;
+  std::span<const float> radii;  ///< of the discs
+  std::span<const float> areas;  ///< of the surface that a point stands for; empty: from the radii
   std::span<const Eigen::Vector3f> normals;  ///< any length; 0: estimated
   std::span<const Rgba8> colors;             ///< alpha: how much is selected
 };
@@ -24,8 +25,8 @@ struct LeafAttributes {
 /// Orders the points, fills the leaves and aggregates all levels. Throws Cancelled.
 Hierarchy buildHierarchy(const LeafAttributes& leaves, LeafOrder order, const Progress* progress = nullptr);
 
-/// Slots in left-balanced kd order (median splits at powers of two along the longest axis), or along the Morton curve:
-/// result[slot] is a point.
+/// Slots in left-balanced kd order (median splits at powers of two along the longest axis), or along the
+/// Morton curve: result[slot] is a point.
 std::vector<Index> orderLeaves(std::span<const Eigen::Vector3f> positions, LeafOrder order,
                                const Progress* progress = nullptr);
 

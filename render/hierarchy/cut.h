@@ -9,13 +9,14 @@
 namespace stipple {
 
 struct CutOptions {
-  float tau = 3;                  ///< pixels: a node whose disc is smaller across is drawn, otherwise its children
-  Index budget = 20'000'000;      ///< most nodes of a cut; tau is raised until it fits
+  float tau = 3;  ///< pixels: a node whose disc is smaller across is drawn, otherwise its children
+  Index budget = 20'000'000;  ///< most nodes of a cut; tau is raised until it fits
   bool cullFrustum = true;
-  bool cullBackfaces = true;      ///< only where the hierarchy is closed and oriented
+  bool cullBackfaces = true;  ///< only where the hierarchy is closed and oriented
 };
 
-/// The nodes that are opened in the last cut: keeps a node as it was until its size passes the threshold clearly.
+/// The nodes that are opened in the last cut: keeps a node as it was until its size passes the threshold
+/// clearly.
 class CutMemory {
  public:
   bool empty() const { return opened_.empty(); }
@@ -31,10 +32,11 @@ struct Cut {
   bool isComplete = true;    ///< tau is the wanted one
 };
 
-/// Every leaf in the view is covered by exactly one node. Thresholds differ from node to node by a fixed hash, so that
-/// a uniform sampling does not switch levels all at once. With `memory` a node is opened or closed only where its size
-/// passes the threshold by a tenth. Same nodes for any number of threads. Throws Cancelled.
-Cut selectCut(const Hierarchy& hierarchy, const View& view, const CutOptions& options, CutMemory* memory = nullptr,
-              const Progress* progress = nullptr);
+/// Every leaf in the view is covered by exactly one node. Thresholds differ from node to node by a fixed
+/// hash, so that a uniform sampling does not switch levels all at once. With `memory` a node is opened or
+/// closed only where its size passes the threshold by a tenth. Same nodes for any number of threads. Throws
+/// Cancelled.
+Cut selectCut(const Hierarchy& hierarchy, const View& view, const CutOptions& options,
+              CutMemory* memory = nullptr, const Progress* progress = nullptr);
 
 }  // namespace stipple

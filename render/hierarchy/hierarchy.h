@@ -15,16 +15,29 @@ namespace stipple {
 struct Splat {
   float x = 0, y = 0, z = 0;  ///< center, world
   float radius = 0;           ///< of the disc; the kernel falls to zero there
-  std::uint32_t normal = 0;   ///< octahedral, see packNormal
+  std::uint32_t shape = 0;    ///< normal and share of the disc that counts as area, see packShape
   Rgba8 color;                ///< sRGB; alpha holds how much is selected, 0 to 255
 
   glm::vec3 center() const { return {x, y, z}; }
 };
 static_assert(sizeof(Splat) == 24);
 
-/// Unit vector in 2 x 16 bits on the octahedron (Meyer et al. 2010).
-std::uint32_t packNormal(const glm::vec3& normal);
-glm::vec3 unpackNormal(std::uint32_t packed);
+/// A unit vector on the octahedron (Meyer et al. 2010), bits 0 to 11 and 12 to 23: a / 2047.5 - 1; and in
+/// bits 24 to 31 the ratio of sqrt(area) to the radius as 2^(code / 32 - 6). Discs overlap: their areas are
+/// those of the surface.
+std::uint32_t packShape(const glm::vec3& normal, float areaRatio);
+glm::vec3 unpackNormal(std::uint32_t shape);
+float unpackAreaRatio(std::uint32_t shape);
+
+/// Area of the surface that a splat stands for, length^2.
+inline float areaOf(const Splat& splat) {
+  const float side = splat.radius * unpackAreaRatio(splat.shape);
+  return side * side;
+}
+
+/// Radius of the disc of an inner node over the root of its area: a square is covered from .71 on, discs
+/// blend well at half as much again.
+inline constexpr float kRadiusOfArea = 1.05f;
 
 /// What the cut needs of an inner node, about the center of its splat.
 struct Bound {
@@ -32,9 +45,10 @@ struct Bound {
   float cosine = -1;  ///< of the half angle of the cone about all descendants' normals; -1: no cone
 };
 
-/// Splats of all levels in one array: level 0 are the leaves, one a point, in an order that makes every aligned block of
-/// 4^k of them a compact subtree; the parent of node i of a level is node i / 4 of the next, up to a single root.
-/// A node's color and normal are the area-weighted means of its children's, its squared radius is their sum.
+/// Splats of all levels in one array: level 0 are the leaves, one a point, in an order that makes every
+/// aligned block of 4^k of them a compact subtree; the parent of node i of a level is node i / 4 of the next,
+/// up to a single root. A node's center, color (in linear light) and normal are the area-weighted means of
+/// its children's; its area is their sum, its radius kRadiusOfArea times the root of that.
 class Hierarchy {
  public:
   static constexpr int kArity = 4;
@@ -55,7 +69,9 @@ class Hierarchy {
   /// Of an inner node, by its index among all nodes.
   const Bound& bound(Index node) const { return bounds_[node - leaves_]; }
   Bound& editBound(Index node) { return bounds_[node - leaves_]; }
-  float boundingRadius(Index node) const { return node < leaves_ ? splats_[node].radius : bounds_[node - leaves_].radius; }
+  float boundingRadius(Index node) const {
+    return node < leaves_ ? splats_[node].radius : bounds_[node - leaves_].radius;
+  }
 
   /// Slots are leaves: point of slot, slot of point.
   std::vector<Index> pointOfSlot, slotOfPoint;

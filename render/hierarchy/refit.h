@@ -17,8 +17,8 @@ struct NodeRange {
 /// Aggregates every inner node anew.
 void refitAll(Hierarchy& hierarchy, const Progress* progress = nullptr);
 
-/// Aggregates the ancestors of leaves that were changed (slots in any order), level by level. Same bits as refitAll.
-/// Returns the changed nodes, leaves included, ascending and coalesced across small gaps.
+/// Aggregates the ancestors of leaves that were changed (slots in any order), level by level. Same bits as
+/// refitAll. Returns the changed nodes, leaves included, ascending and coalesced across small gaps.
 std::vector<NodeRange> refit(Hierarchy& hierarchy, std::span<const Index> slots);
 
 /// A parent's splat and bound from its children (1 to 4 of them); `first` is a node, inner or leaf.

@@ -15,8 +15,8 @@ struct View {
   glm::vec3 eye{0, 0, 0};
   glm::mat3 viewFromWorld{1};  ///< rotation
   Projection projection = Projection::kPerspective;
-  float focalPx = 1;         ///< pixels: of the focal length (perspective), or of a world unit (orthographic)
-  float nearDepth = 1e-6f;   ///< world units; nothing nearer is drawn
+  float focalPx = 1;        ///< pixels: of the focal length (perspective), or of a world unit (orthographic)
+  float nearDepth = 1e-6f;  ///< world units; nothing nearer is drawn
   int width = 0, height = 0;
   glm::vec2 jitterPx{0, 0};  ///< shifts the picture by part of a pixel
 
@@ -44,8 +44,9 @@ struct FramingSphere {
   float radius = 1;
 };
 
-/// Angles in radians. Yaw turns about the up axis, counterclockwise seen from above; at 0 the camera looks along +Y
-/// (up z) or -Z (up y). Pitch > 0 looks down. At zoom 1 the sphere just fits the height of the picture.
+/// Angles in radians. Yaw turns about the up axis, counterclockwise seen from above; at 0 the camera looks
+/// along +Y (up z) or -Z (up y). Pitch > 0 looks down. At zoom 1 the sphere just fits the height of the
+/// picture.
 struct CameraAngles {
   float yaw = 0, pitch = 0, zoom = 1;
   UpAxis up = UpAxis::kZ;

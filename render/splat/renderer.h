@@ -16,28 +16,30 @@ namespace stipple {
 
 /// What lies under a pixel of the last frame.
 struct Pick {
-  Index node = 0;       ///< of the hierarchy
-  float depth = 0;      ///< along the view direction, world units
-  glm::vec3 position{}; ///< world
+  Index node = 0;        ///< of the hierarchy
+  float depth = 0;       ///< along the view direction, world units
+  glm::vec3 position{};  ///< world
 };
 
 enum class Accumulate { kStartAnew, kAddToMean };
 
-/// Draws cuts of a hierarchy. One thread at a time; the `gl` back end needs its context to be current in every call,
-/// destruction included.
+/// Draws cuts of a hierarchy. One thread at a time; the `gl` back end needs its context to be current in
+/// every call, destruction included.
 class Renderer {
  public:
   virtual ~Renderer() = default;
   /// "cpu" or "gl".
   virtual const char* backend() const = 0;
 
-  /// To be called before drawing a hierarchy for the first time (all nodes), and for ranges that changed since.
+  /// To be called before drawing a hierarchy for the first time (all nodes), and for ranges that changed
+  /// since.
   virtual void upload(const Hierarchy& hierarchy, const std::vector<NodeRange>& changed) = 0;
 
-  /// Draws one whole frame; with kAddToMean the picture is the mean of all frames since the last kStartAnew, in linear
-  /// light. Where it throws Cancelled, the last picture stays as it was.
+  /// Draws one whole frame; with kAddToMean the picture is the mean of all frames since the last kStartAnew,
+  /// in linear light. Where it throws Cancelled, the last picture stays as it was.
   virtual void draw(const Hierarchy& hierarchy, const std::vector<Index>& nodes, const View& view,
-                    const Appearance& appearance, Accumulate accumulate, const Progress* progress = nullptr) = 0;
+                    const Appearance& appearance, Accumulate accumulate,
+                    const Progress* progress = nullptr) = 0;
   /// The same for triangles, shaded with the normals of their corners.
   virtual void drawMesh(const SurfaceMesh& mesh, const View& view, const Appearance& appearance,
                         Accumulate accumulate, const Progress* progress = nullptr) = 0;
@@ -50,8 +52,8 @@ class Renderer {
 
 enum class Backend { kAuto, kCpu, kGl };
 
-/// kAuto: `gl` where a current context is OpenGL 4.5 on hardware, otherwise `cpu`. Throws IoError where `gl` is asked
-/// for and no current context offers it.
+/// kAuto: `gl` where a current context is OpenGL 4.5 on hardware, otherwise `cpu`. Throws IoError where `gl`
+/// is asked for and no current context offers it.
 std::unique_ptr<Renderer> makeRenderer(Backend backend);
 
 }  // namespace stipple

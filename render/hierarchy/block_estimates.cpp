@@ -1,0 +1,85 @@
+#include "render/hierarchy/block_estimates.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace stipple {
+
+namespace {
+
+// A block has a rim: distances within it are that much longer than those to all points.
+constexpr float kRim = 0.85f;
+constexpr int kRank = 3;
+
+using Block = std::array<Eigen::Vector3f, kLeavesOfBlock>;
+
+// Median over the points of the squared distance to the third nearest of the others; 0 below four points.
+float squaredSpacing(const Block& x, int count) {
+  if (count <= kRank) return 0;
+  std::array<float, kLeavesOfBlock> ranked{};
+  for (int i = 0; i < count; ++i) {
+    std::array<float, kRank> nearest;
+    nearest.fill(std::numeric_limits<float>::max());
+    for (int j = 0; j < count; ++j) {
+      if (j == i) continue;
+      float d = (x[i] - x[j]).squaredNorm();
+      for (float& held : nearest) {
+        const float less = std::min(held, d);
+        d = std::max(held, d);
+        held = less;
+      }
+    }
+    ranked[i] = nearest.back();
+  }
+  std::nth_element(ranked.begin(), ranked.begin() + count / 2, ranked.begin() + count);
+  return ranked[count / 2];
+}
+
+Eigen::Vector3f fitNormal(const Block& x, int count) {
+  Eigen::Vector3f mean = Eigen::Vector3f::Zero();
+  for (int i = 0; i < count; ++i) mean += x[i] - x[0];
+  mean /= static_cast<float>(count);
+  Eigen::Matrix3f products = Eigen::Matrix3f::Zero();
+  for (int i = 0; i < count; ++i) {
+    const Eigen::Vector3f d = x[i] - x[0] - mean;
+    products.noalias() += d * d.transpose();
+  }
+  const float scale = products.trace();
+  if (!(scale > 0) || !std::isfinite(scale)) return Eigen::Vector3f::UnitZ();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
+  solver.computeDirect(products / scale);
+  return solver.eigenvectors().col(0);
+}
+
+}  // namespace
+
+std::vector<BlockEstimate> estimateBlocks(std::span<const Eigen::Vector3f> positions,
+                                          std::span<const Index> pointOfSlot, const Progress* progress) {
+  const std::size_t blocks = (pointOfSlot.size() + kLeavesOfBlock - 1) / kLeavesOfBlock;
+  std::vector<BlockEstimate> estimates(blocks);
+  parallelFor(
+      blocks, 1024,
+      [&](std::size_t begin, std::size_t end) {
+        Block x;
+        for (std::size_t block = begin; block < end; ++block) {
+          const std::size_t first = block * kLeavesOfBlock;
+          const int count =
+              static_cast<int>(std::min<std::size_t>(kLeavesOfBlock, pointOfSlot.size() - first));
+          for (int i = 0; i < count; ++i) x[i] = positions[pointOfSlot[first + i]];
+          estimates[block] = {kRim * std::sqrt(squaredSpacing(x, count)), fitNormal(x, count)};
+        }
+      },
+      progress);
+  // What has no distances of its own (few points, copies of one place) is like its neighbor.
+  for (std::size_t block = 1; block < blocks; ++block) {
+    if (!(estimates[block].spacing > 0)) estimates[block].spacing = estimates[block - 1].spacing;
+  }
+  for (std::size_t block = blocks; block-- > 1;) {
+    if (!(estimates[block - 1].spacing > 0)) estimates[block - 1].spacing = estimates[block].spacing;
+  }
+  return estimates;
+}
+
+}  // namespace stipple

@@ -1,0 +1,96 @@
+#include "render/hierarchy/build.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/hierarchy/block_estimates.h"
+#include "render/hierarchy/refit.h"
+
+namespace stipple {
+
+namespace {
+
+constexpr std::size_t kGrain = 1 << 14;
+// Disc of a leaf of a block over the spacing: random points leave one of a thousand places bare.
+constexpr float kBlockRadius = 1.5f;
+// The same for a radius that came with the points: drawn discs overlap so that they just blend.
+constexpr float kGivenRadius = 1.3f;
+constexpr Rgba8 kGray{200, 200, 200, 0};
+
+class LeafFiller {
+ public:
+  LeafFiller(const LeafAttributes& leaves, Hierarchy& hierarchy, const Progress* progress)
+      : leaves_(leaves), hierarchy_(hierarchy), least_(leastRadius()) {
+    if (leaves.radii.empty() || leaves.normals.empty()) {
+      blocks_ = estimateBlocks(leaves.positions, hierarchy.pointOfSlot, progress);
+    }
+  }
+
+  Splat fill(Index slot) const {
+    const Index point = hierarchy_.pointOfSlot[slot];
+    const Eigen::Vector3f& p = leaves_.positions[point];
+    Splat splat{.x = p.x(), .y = p.y(), .z = p.z()};
+    float side = 0;
+    if (leaves_.radii.empty()) {
+      side = std::max(blocks_[slot / kLeavesOfBlock].spacing, least_);
+      splat.radius = kBlockRadius * side;
+    } else {
+      splat.radius = std::max(leaves_.radii[point], least_);
+      side = leaves_.areas.empty() ? splat.radius / kGivenRadius : std::sqrt(leaves_.areas[point]);
+    }
+    splat.shape = packShape(normalOf(slot, point), side / splat.radius);
+    splat.color = leaves_.colors.empty() ? kGray : leaves_.colors[point];
+    return splat;
+  }
+
+ private:
+  glm::vec3 normalOf(Index slot, Index point) const {
+    if (!leaves_.normals.empty()) {
+      const Eigen::Vector3f& n = leaves_.normals[point];
+      if (n.squaredNorm() > 0) return {n.x(), n.y(), n.z()};
+    }
+    if (blocks_.empty()) return {0, 0, 1};
+    const Eigen::Vector3f& n = blocks_[slot / kLeavesOfBlock].normal;
+    return {n.x(), n.y(), n.z()};
+  }
+
+  // Copies of one place must not vanish: a millionth of the extent, or of the coordinates.
+  float leastRadius() const {
+    Eigen::Vector3f low = Eigen::Vector3f::Constant(std::numeric_limits<float>::max()), high = -low;
+    for (const Eigen::Vector3f& p : leaves_.positions) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    const float extent = leaves_.positions.empty() ? 0 : (high - low).maxCoeff();
+    return std::max(1e-6f * extent, 1e-12f);
+  }
+
+  const LeafAttributes& leaves_;
+  Hierarchy& hierarchy_;
+  float least_;
+  std::vector<BlockEstimate> blocks_;
+};
+
+}  // namespace
+
+Hierarchy buildHierarchy(const LeafAttributes& leaves, LeafOrder order, const Progress* progress) {
+  const auto count = static_cast<Index>(leaves.positions.size());
+  Hierarchy hierarchy(count);
+  hierarchy.pointOfSlot = orderLeaves(leaves.positions, order, progress);
+  hierarchy.slotOfPoint.resize(count);
+  const LeafFiller filler(leaves, hierarchy, progress);
+  const std::span<Splat> splats = hierarchy.editSplats();
+  parallelFor(
+      count, kGrain,
+      [&](std::size_t begin, std::size_t end) {
+        for (auto slot = static_cast<Index>(begin); slot < end; ++slot) {
+          hierarchy.slotOfPoint[hierarchy.pointOfSlot[slot]] = slot;
+          splats[slot] = filler.fill(slot);
+        }
+      },
+      progress);
+  refitAll(hierarchy, progress);
+  return hierarchy;
+}
+
+}  // namespace stipple

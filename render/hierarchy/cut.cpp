@@ -1,0 +1,217 @@
+#include "render/hierarchy/cut.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+namespace stipple {
+
+namespace {
+
+// A node's threshold lies within a factor of 2^(+-1/2) of tau: a 4-ary tree halves sizes from level to level,
+// so that thresholds of all nodes together cover one level evenly.
+constexpr float kSpread = 0.5f;
+// A node changes sides only where its size passes the threshold by a tenth.
+constexpr float kHysteresis = 1.1f;
+// A disc whose sphere is this many times larger does not fill it: it bridges a gap or joins two sheets.
+constexpr float kLoosest = 2.2f;
+// Subtrees that are handed to threads.
+constexpr Index kRoots = 512;
+
+// 2^(kSpread t) for t in [-1, 1], by a hash of the node.
+float spreadOf(Index node) {
+  std::uint32_t h = node * 0x9e3779b1u;
+  h ^= h >> 15;
+  h *= 0x85ebca77u;
+  h ^= h >> 13;
+  return std::exp2(kSpread * (static_cast<float>(h >> 8) * (2.f / (1 << 24)) - 1));
+}
+
+const std::array<float, 1024>& spreadTable() {
+  static const std::array<float, 1024> table = [] {
+    std::array<float, 1024> values{};
+    for (Index i = 0; i < values.size(); ++i) values[i] = spreadOf(i);
+    return values;
+  }();
+  return table;
+}
+
+}  // namespace
+
+// One pass through the tree with one threshold.
+class CutSelection {
+ public:
+  CutSelection(const Hierarchy& hierarchy, const View& view, const CutOptions& options, float tau,
+               CutMemory* memory)
+      : hierarchy_(hierarchy), view_(view), options_(options), tau_(tau) {
+    const float halfWidth = 0.5f * static_cast<float>(view.width) / view.focalPx;
+    const float halfHeight = 0.5f * static_cast<float>(view.height) / view.focalPx;
+    slope_ = {halfWidth, halfHeight};
+    scale_ = {1 / std::sqrt(1 + halfWidth * halfWidth), 1 / std::sqrt(1 + halfHeight * halfHeight)};
+    if (memory) {
+      const std::size_t inner = hierarchy.nodeCount() - hierarchy.leafCount();
+      if (memory->opened_.size() != inner) memory->opened_.assign(inner, kUnknown);
+      opened_ = memory->opened_.data();
+    }
+    cullsBackfaces_ = options.cullBackfaces && hierarchy.isClosedAndOriented;
+    spread_ = spreadTable().data();
+  }
+
+  // Nodes of the cut, in depth-first order; nothing where there would be more than the budget.
+  bool select(std::vector<Index>& nodes, const Progress* progress);
+
+ private:
+  static constexpr std::uint8_t kUnknown = 2;
+
+  struct Place {
+    int level;
+    Index node;
+  };
+
+  void descend(Place top, std::vector<Index>& nodes) const;
+  bool isOutside(const Splat& splat, const glm::vec3& inView, float radius) const;
+  bool facesAway(Index node, const glm::vec3& center, float radius) const;
+  bool opens(Place place, const Splat& splat, const glm::vec3& inView) const;
+
+  const Hierarchy& hierarchy_;
+  const View& view_;
+  const CutOptions& options_;
+  float tau_;
+  glm::vec2 slope_, scale_;
+  std::uint8_t* opened_ = nullptr;
+  bool cullsBackfaces_ = false;
+  const float* spread_ = nullptr;
+};
+
+bool CutSelection::isOutside(const Splat&, const glm::vec3& p, float radius) const {
+  if (p.z + radius < view_.nearDepth) return true;
+  if (view_.isPerspective()) {
+    return (std::abs(p.x) - slope_.x * p.z) * scale_.x > radius ||
+           (std::abs(p.y) - slope_.y * p.z) * scale_.y > radius;
+  }
+  return std::abs(p.x) - slope_.x > radius || std::abs(p.y) - slope_.y > radius;
+}
+
+// All normals within the cone point away from an eye that is outside of the sphere, wherever in it the
+// surface is.
+bool CutSelection::facesAway(Index node, const glm::vec3& center, float radius) const {
+  const float cosine = node < hierarchy_.leafCount() ? 1 : hierarchy_.bound(node).cosine;
+  if (cosine <= 0) return false;
+  const glm::vec3 normal = unpackNormal(hierarchy_.splats()[node].shape);
+  const float sine = std::sqrt(std::max(0.f, 1 - cosine * cosine));
+  if (!view_.isPerspective()) {
+    const glm::vec3 forward(view_.viewFromWorld[0].z, view_.viewFromWorld[1].z, view_.viewFromWorld[2].z);
+    return glm::dot(normal, forward) > sine;
+  }
+  const glm::vec3 towards = view_.eye - center;
+  const float along = glm::dot(normal, towards) + radius, distance = glm::length(towards) - radius;
+  return distance > 0 && along < 0 && -along > distance * sine + 2 * radius * sine;
+}
+
+bool CutSelection::opens(Place place, const Splat& splat, const glm::vec3& p) const {
+  if (place.level == 0) return false;
+  const float bound = hierarchy_.bound(place.node).radius;
+  const float radius = std::max(splat.radius, bound / kLoosest);
+  // Spheres that reach behind the eye have a finite size too, so that any budget can be kept.
+  const float distance = view_.isPerspective() ? std::max(p.z - bound, 1e-4f * bound) : 1;
+  const float size = 2 * radius * view_.focalPx / distance;
+  float threshold = tau_ * spread_[place.node & 1023];
+  if (!opened_) return size > threshold;
+  std::uint8_t& opened = opened_[place.node - hierarchy_.leafCount()];
+  if (opened == 1) threshold /= kHysteresis;
+  if (opened == 0) threshold *= kHysteresis;
+  opened = size > threshold;
+  return opened == 1;
+}
+
+void CutSelection::descend(Place top, std::vector<Index>& nodes) const {
+  const std::span<const Splat> splats = hierarchy_.splats();
+  std::array<Place, 64> stack;  // at most three siblings wait on each of up to 17 levels
+  std::size_t waiting = 0;
+  stack[waiting++] = top;
+  while (waiting > 0) {
+    const Place place = stack[--waiting];
+    const Splat& splat = splats[place.node];
+    const glm::vec3 p = view_.toView(splat.center());
+    const float bound = hierarchy_.boundingRadius(place.node);
+    if (options_.cullFrustum && isOutside(splat, p, bound)) continue;
+    if (cullsBackfaces_ && facesAway(place.node, splat.center(), bound)) continue;
+    if (!opens(place, splat, p)) {
+      nodes.push_back(place.node);
+      continue;
+    }
+    const Index below = hierarchy_.levelBegin(place.level - 1);
+    const Index first = (place.node - hierarchy_.levelBegin(place.level)) * Hierarchy::kArity;
+    const Index end = std::min(first + Hierarchy::kArity, hierarchy_.levelSize(place.level - 1));
+    for (Index child = end; child-- > first;) stack[waiting++] = {place.level - 1, below + child};
+  }
+}
+
+bool CutSelection::select(std::vector<Index>& nodes, const Progress* progress) {
+  // Subtrees of one level, each by one thread; the few nodes above them are looked at first.
+  int level = hierarchy_.levelCount() - 1;
+  while (level > 0 && hierarchy_.levelSize(level) < kRoots) --level;
+  std::vector<Place> tops{{hierarchy_.levelCount() - 1, hierarchy_.levelBegin(hierarchy_.levelCount() - 1)}};
+  std::vector<Place> roots;  // in order: subtrees, and nodes above them that are drawn
+  std::vector<std::uint8_t> isDrawn;
+  while (!tops.empty()) {
+    const Place place = tops.back();
+    tops.pop_back();
+    if (place.level == level) {
+      roots.push_back(place);
+      isDrawn.push_back(0);
+      continue;
+    }
+    const Splat& splat = hierarchy_.splats()[place.node];
+    const glm::vec3 p = view_.toView(splat.center());
+    if (options_.cullFrustum && isOutside(splat, p, hierarchy_.boundingRadius(place.node))) continue;
+    if (!opens(place, splat, p)) {
+      roots.push_back(place);
+      isDrawn.push_back(1);
+      continue;
+    }
+    const Index below = hierarchy_.levelBegin(place.level - 1);
+    const Index first = (place.node - hierarchy_.levelBegin(place.level)) * Hierarchy::kArity;
+    const Index end = std::min(first + Hierarchy::kArity, hierarchy_.levelSize(place.level - 1));
+    for (Index child = end; child-- > first;) tops.push_back({place.level - 1, below + child});
+  }
+
+  std::vector<std::vector<Index>> parts(roots.size());
+  std::atomic<std::size_t> count{0};
+  std::atomic<bool> isTooMuch{false};
+  parallelFor(
+      roots.size(), 8,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t root = begin; root < end && !isTooMuch; ++root) {
+          if (isDrawn[root]) {
+            parts[root] = {roots[root].node};
+          } else {
+            descend(roots[root], parts[root]);
+          }
+          if ((count += parts[root].size()) > options_.budget) isTooMuch = true;
+        }
+      },
+      progress);
+  if (isTooMuch) return false;
+  nodes.clear();
+  nodes.reserve(count);
+  for (const std::vector<Index>& part : parts) nodes.insert(nodes.end(), part.begin(), part.end());
+  return true;
+}
+
+Cut selectCut(const Hierarchy& hierarchy, const View& view, const CutOptions& options, CutMemory* memory,
+              const Progress* progress) {
+  Cut cut{.nodes = {}, .tau = options.tau, .isComplete = true};
+  if (hierarchy.leafCount() == 0) return cut;
+  constexpr float kCoarser = 1.3f;
+  while (!CutSelection(hierarchy, view, options, cut.tau, memory).select(cut.nodes, progress)) {
+    cut.tau *= kCoarser;
+    cut.isComplete = false;
+  }
+  return cut;
+}
+
+}  // namespace stipple

@@ -1,0 +1,72 @@
+#include "render/hierarchy/hierarchy.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace stipple {
+
+namespace {
+
+constexpr float kSteps = 4095;
+constexpr std::uint32_t kMask = 0xfff;
+
+std::uint32_t quantize(float t) {
+  return static_cast<std::uint32_t>(std::clamp(std::floor((t + 1) * 0.5f * kSteps + 0.5f), 0.f, kSteps));
+}
+
+float signOf(float t) {
+  return t >= 0 ? 1.f : -1.f;
+}
+
+const std::array<float, 256>& ratioTable() {
+  static const std::array<float, 256> table = [] {
+    std::array<float, 256> values{};
+    for (int i = 0; i < 256; ++i) values[i] = std::exp2(static_cast<float>(i) / 32 - 6);
+    return values;
+  }();
+  return table;
+}
+
+}  // namespace
+
+std::uint32_t packShape(const glm::vec3& normal, float areaRatio) {
+  const float sum = std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z);
+  const bool isVector = sum > 0 && std::isfinite(sum);
+  const glm::vec3 n = isVector ? normal / sum : glm::vec3(0, 0, 1);
+  glm::vec2 p(n.x, n.y);
+  if (n.z < 0) p = {(1 - std::abs(n.y)) * signOf(n.x), (1 - std::abs(n.x)) * signOf(n.y)};
+  const float code = areaRatio > 0 ? std::clamp(std::round(32 * (std::log2(areaRatio) + 6)), 0.f, 255.f) : 0;
+  return quantize(p.x) | quantize(p.y) << 12 | static_cast<std::uint32_t>(code) << 24;
+}
+
+glm::vec3 unpackNormal(std::uint32_t shape) {
+  const float x = static_cast<float>(shape & kMask) * (2 / kSteps) - 1;
+  const float y = static_cast<float>(shape >> 12 & kMask) * (2 / kSteps) - 1;
+  const float z = 1 - std::abs(x) - std::abs(y);
+  const float fold = std::max(-z, 0.f);
+  return glm::normalize(glm::vec3(x - signOf(x) * fold, y - signOf(y) * fold, z));
+}
+
+float unpackAreaRatio(std::uint32_t shape) {
+  return ratioTable()[shape >> 24];
+}
+
+Hierarchy::Hierarchy(Index leaves) : leaves_(leaves), levelBegins_{0} {
+  std::size_t end = leaves;
+  for (std::size_t size = leaves; size > 0; size = size == 1 ? 0 : (size + kArity - 1) / kArity) {
+    if (size != leaves) end += size;
+    levelBegins_.push_back(static_cast<Index>(end));
+  }
+  splats_ = std::make_unique_for_overwrite<Splat[]>(nodeCount());
+  bounds_ = std::make_unique_for_overwrite<Bound[]>(nodeCount() - leaves);
+}
+
+std::size_t Hierarchy::memoryBytes() const {
+  return nodeCount() * sizeof(Splat) + (nodeCount() - leaves_) * sizeof(Bound) +
+         (pointOfSlot.capacity() + slotOfPoint.capacity()) * sizeof(Index);
+}
+
+}  // namespace stipple

@@ -1,0 +1,174 @@
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <utility>
+
+#include "core/geometry/morton.h"
+#include "render/hierarchy/build.h"
+
+namespace stipple {
+
+namespace {
+
+struct CodedPoint {
+  std::uint64_t code;
+  Index point;
+};
+
+// Stable radix sort by the 44 highest of 63 bits, 14 to 15 an axis: finer than the spacing of any scan that
+// fits into memory. Blocks count and scatter in parallel.
+class MortonSort {
+ public:
+  MortonSort(std::vector<CodedPoint>& points, const Progress* progress)
+      : points_(points), progress_(progress) {
+    const std::size_t blocks = std::clamp<std::size_t>(points.size() / kLeastBlock, 1, kMostBlocks);
+    block_ = (points.size() + blocks - 1) / blocks;
+    counts_.resize((points.size() + block_ - 1) / block_);
+  }
+
+  void sort() {
+    std::vector<CodedPoint> other(points_.size());
+    for (int shift = 3 * MortonLattice::kBits - 4 * kDigitBits; shift < 3 * MortonLattice::kBits;
+         shift += kDigitBits) {
+      count(shift);
+      if (!accumulate()) continue;
+      scatter(shift, other);
+      points_.swap(other);
+    }
+  }
+
+ private:
+  static constexpr int kDigitBits = 11, kDigits = 1 << kDigitBits;
+  static constexpr std::size_t kLeastBlock = 1 << 16, kMostBlocks = 16;
+
+  static std::size_t digitOf(const CodedPoint& p, int shift) { return p.code >> shift & (kDigits - 1); }
+
+  void count(int shift) {
+    parallelFor(
+        points_.size(), block_,
+        [&](std::size_t begin, std::size_t end) {
+          std::array<Index, kDigits>& count = counts_[begin / block_];
+          count.fill(0);
+          for (std::size_t i = begin; i < end; ++i) ++count[digitOf(points_[i], shift)];
+        },
+        progress_);
+  }
+
+  // Counts become places; false where all points share the digit.
+  bool accumulate() {
+    Index sum = 0;
+    bool isNeeded = true;
+    for (int digit = 0; digit < kDigits; ++digit) {
+      const Index before = sum;
+      for (std::array<Index, kDigits>& count : counts_) sum += std::exchange(count[digit], sum);
+      if (sum - before == points_.size()) isNeeded = false;
+    }
+    return isNeeded;
+  }
+
+  void scatter(int shift, std::vector<CodedPoint>& other) {
+    parallelFor(
+        points_.size(), block_,
+        [&](std::size_t begin, std::size_t end) {
+          std::array<Index, kDigits>& place = counts_[begin / block_];
+          for (std::size_t i = begin; i < end; ++i) other[place[digitOf(points_[i], shift)]++] = points_[i];
+        },
+        progress_);
+  }
+
+  std::vector<CodedPoint>& points_;
+  const Progress* progress_;
+  std::size_t block_ = 1;
+  std::vector<std::array<Index, kDigits>> counts_;
+};
+
+std::vector<Index> mortonOrder(std::span<const Eigen::Vector3f> positions, const Progress* progress) {
+  const MortonLattice lattice = fitMortonLattice(positions);
+  std::vector<CodedPoint> points(positions.size());
+  parallelFor(
+      points.size(), 1 << 16,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          points[i] = {lattice.codeOf(positions[i]), static_cast<Index>(i)};
+      },
+      progress);
+  MortonSort(points, progress).sort();
+  std::vector<Index> order(points.size());
+  parallelFor(
+      points.size(), 1 << 16,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) order[i] = points[i].point;
+      },
+      progress);
+  return order;
+}
+
+struct PlacedPoint {
+  std::array<float, 3> x;
+  Index point;
+};
+
+int longestAxis(std::span<const PlacedPoint> points) {
+  std::array<float, 3> low = points.front().x, high = low;
+  for (const PlacedPoint& p : points) {
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], p.x[k]);
+      high[k] = std::max(high[k], p.x[k]);
+    }
+  }
+  int axis = 0;
+  for (int k = 1; k < 3; ++k) {
+    if (high[k] - low[k] > high[axis] - low[axis]) axis = k;
+  }
+  return axis;
+}
+
+// Moves the `left` points that are smallest along the axis to the front.
+void split(std::span<PlacedPoint> points, std::size_t left, int axis) {
+  std::nth_element(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(left), points.end(),
+                   [axis](const PlacedPoint& a, const PlacedPoint& b) { return a.x[axis] < b.x[axis]; });
+}
+
+void splitRecursively(std::span<PlacedPoint> points, const Progress* progress) {
+  constexpr std::size_t kParallel = 1 << 17;
+  if (points.size() <= Hierarchy::kArity) return;
+  // The left part is full: a power of two, so that aligned blocks of slots are subtrees.
+  const std::size_t left = std::bit_floor(points.size() - 1);
+  split(points, left, longestAxis(points));
+  const std::array parts = {points.first(left), points.subspan(left)};
+  if (points.size() < kParallel) {
+    for (const std::span<PlacedPoint>& part : parts) splitRecursively(part, progress);
+    return;
+  }
+  parallelFor(
+      2, 1, [&](std::size_t part, std::size_t) { splitRecursively(parts[part], progress); }, progress);
+}
+
+}  // namespace
+
+std::vector<Index> orderLeaves(std::span<const Eigen::Vector3f> positions, LeafOrder order,
+                               const Progress* progress) {
+  std::vector<Index> slots = mortonOrder(positions, progress);
+  if (order == LeafOrder::kMorton) return slots;
+  // From the Morton order, where points that stand together fall on one side together: branches are foreseen.
+  std::vector<PlacedPoint> points(positions.size());
+  parallelFor(
+      points.size(), 1 << 16,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          const Eigen::Vector3f& p = positions[slots[i]];
+          points[i] = {{p.x(), p.y(), p.z()}, slots[i]};
+        }
+      },
+      progress);
+  splitRecursively(points, progress);
+  parallelFor(
+      points.size(), 1 << 16,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) slots[i] = points[i].point;
+      },
+      progress);
+  return slots;
+}
+
+}  // namespace stipple

@@ -1,0 +1,166 @@
+#include "render/hierarchy/splat_radii.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/fans.h"
+
+namespace stipple {
+
+namespace {
+
+constexpr std::size_t kGrain = 4096;
+// Discs that just cover leave seams where they blend.
+constexpr float kCoverOverlap = 1.15f;
+// Over the root of the area: enough for cells that are nearly round.
+constexpr float kAreaOverlap = 1.05f;
+// An outlier is no larger than this many times the median of its neighbors.
+constexpr float kMostOfNeighbors = 3;
+constexpr float kPlausible = 8;
+
+struct SiteEstimate {
+  float cover = 0;  // distance to the farthest corner of the Voronoi cell
+  float area = 0;
+};
+
+float circumradius(const Eigen::Vector3f& a, const Eigen::Vector3f& b, float twiceArea) {
+  return a.norm() * b.norm() * (a - b).norm() / (2 * twiceArea);
+}
+
+SiteEstimate measureFan(const Sites& sites, const Fans& fans, Index site) {
+  const std::span<const Index> spokes = fans.of(site);
+  const std::span<const std::uint8_t> flags = fans.flagsOf(site);
+  const Eigen::Vector3f& x = sites.positions[site];
+  SiteEstimate estimate;
+  for (std::size_t s = 0; s < spokes.size(); ++s) {
+    const Eigen::Vector3f a = sites.positions[spokes[s]] - x;
+    if (flags[s] & Fans::kGapAfter) continue;
+    const Eigen::Vector3f b = sites.positions[spokes[(s + 1) % spokes.size()]] - x;
+    const float twiceArea = a.cross(b).norm(), longest = std::max(a.norm(), b.norm());
+    if (!(twiceArea > 1e-6f * longest * longest)) continue;
+    estimate.cover = std::max(estimate.cover, std::min(circumradius(a, b, twiceArea), longest));
+    estimate.area += twiceArea / 6;
+  }
+  return estimate;
+}
+
+// Sites without a triangle of their own take half the distance to the nearest neighbor.
+std::vector<SiteEstimate> measureFans(const Sites& sites, const Fans& fans, const Progress* progress) {
+  std::vector<SiteEstimate> estimates(sites.size());
+  parallelFor(
+      sites.size(), kGrain,
+      [&](std::size_t begin, std::size_t end) {
+        for (auto site = static_cast<Index>(begin); site < end; ++site) {
+          SiteEstimate& estimate = estimates[site] = measureFan(sites, fans, site);
+          if (estimate.cover > 0) continue;
+          float nearest = std::numeric_limits<float>::max();
+          for (const Index j : fans.of(site))
+            nearest = std::min(nearest, (sites.positions[j] - sites.positions[site]).norm());
+          if (!fans.of(site).empty()) estimate.cover = 0.5f * nearest;
+        }
+      },
+      progress);
+  return estimates;
+}
+
+template <class T>
+T medianOf(std::vector<T>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Discs of outliers and of points at wide gaps shrink to a few times what stands around them.
+std::vector<float> limitByNeighbors(const Fans& fans, const std::vector<SiteEstimate>& estimates,
+                                    const Progress* progress) {
+  std::vector<float> covers(estimates.size());
+  parallelFor(
+      estimates.size(), kGrain,
+      [&](std::size_t begin, std::size_t end) {
+        std::vector<float> around;
+        for (auto site = static_cast<Index>(begin); site < end; ++site) {
+          around.clear();
+          for (const Index j : fans.of(site)) around.push_back(estimates[j].cover);
+          const float limit = around.empty() ? 0 : kMostOfNeighbors * medianOf(around);
+          covers[site] = limit > 0 ? std::min(estimates[site].cover, limit) : estimates[site].cover;
+        }
+      },
+      progress);
+  return covers;
+}
+
+// What no neighbor tells (single points, copies of one place): the median of the others, or a hundredth of
+// the extent.
+float fallbackRadius(const Sites& sites, const std::vector<float>& covers) {
+  std::vector<float> known;
+  for (const float cover : covers) {
+    if (cover > 0) known.push_back(cover);
+  }
+  if (!known.empty()) return medianOf(known);
+  Eigen::AlignedBox3f box;
+  for (const Eigen::Vector3f& p : sites.positions) box.extend(p);
+  const float extent = box.isEmpty() ? 0 : box.diagonal().norm();
+  return extent > 0 ? 0.01f * extent : 1;
+}
+
+std::vector<float> radiiOfFile(const PointSet& points, const std::vector<float>& estimated) {
+  const Attribute* attribute = points.find("radius");
+  if (!attribute || attribute->type() != AttributeType::kFloat || estimated.empty()) return {};
+  const std::span<const float> given = points.values<float>("radius");
+  std::vector<float> ratios;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (!(given[i] > 0) || !std::isfinite(given[i])) return {};
+    ratios.push_back(given[i] / estimated[i]);
+  }
+  const float ratio = medianOf(ratios);
+  if (ratio > kPlausible || ratio < 1 / kPlausible) return {};
+  return {given.begin(), given.end()};
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector3f> normalsOfFile(const PointSet& points) {
+  for (const char* name : {"display_normal", "normal"}) {
+    const Attribute* attribute = points.find(name);
+    if (!attribute || attribute->type() != AttributeType::kVector3) continue;
+    const std::span<const Eigen::Vector3f> given = points.values<Eigen::Vector3f>(name);
+    std::vector<Eigen::Vector3f> normals(given.size(), Eigen::Vector3f::Zero());
+    bool any = false;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      const float length = given[i].stableNorm();
+      if (!(length > 0) || !std::isfinite(length)) continue;
+      normals[i] = given[i] / length;
+      any = true;
+    }
+    if (any) return normals;
+  }
+  return {};
+}
+
+SurfaceEstimate estimateSurface(const PointSet& points, const Progress* progress) {
+  const Sites sites = weldAndOrder(points.positions());
+  const FanSet set = buildFans(sites, {}, progress);
+  const std::vector<SiteEstimate> estimates = measureFans(sites, set.fans, progress);
+  const std::vector<float> covers = limitByNeighbors(set.fans, estimates, progress);
+  const float fallback = fallbackRadius(sites, covers);
+
+  SurfaceEstimate surface{std::vector<float>(points.size()), std::vector<float>(points.size()),
+                          normalsOfFile(points)};
+  const bool hasNormals = !surface.normals.empty();
+  if (!hasNormals) surface.normals.assign(points.size(), Eigen::Vector3f::Zero());
+  for (Index point = 0; point < points.size(); ++point) {
+    const Index site = sites.siteOfPoint[point];
+    const float cover = covers[site] > 0 ? covers[site] : fallback;
+    // A fan that was cut down, or has hardly a triangle, stands for a disc's share at least.
+    const float area = std::clamp(estimates[site].area, 0.3f * cover * cover, 3 * cover * cover);
+    surface.areas[point] = area;
+    surface.radii[point] = std::max(kCoverOverlap * cover, kAreaOverlap * std::sqrt(area));
+    if (surface.normals[point].isZero()) surface.normals[point] = set.normals[site];
+  }
+  if (std::vector<float> given = radiiOfFile(points, surface.radii); !given.empty())
+    surface.radii = std::move(given);
+  return surface;
+}
+
+}  // namespace stipple
