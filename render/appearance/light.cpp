@@ -13,8 +13,16 @@ const std::array<float, 256>& linearTable() {
   return table;
 }
 
-std::uint8_t encodeSrgb(float linear) {
-  return static_cast<std::uint8_t>(std::lround(255 * srgbFromLinear(std::clamp(linear, 0.f, 1.f))));
+const std::array<std::uint8_t, kEncodeSteps>& encodeTable() {
+  static const std::array<std::uint8_t, kEncodeSteps> table = [] {
+    std::array<std::uint8_t, kEncodeSteps> values{};
+    for (int i = 0; i < kEncodeSteps; ++i) {
+      const float linear = static_cast<float>(i) / (kEncodeSteps - 1);
+      values[i] = static_cast<std::uint8_t>(std::lround(255 * std::min(srgbFromLinear(linear), 1.f)));
+    }
+    return values;
+  }();
+  return table;
 }
 
 }  // namespace stipple

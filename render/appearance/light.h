@@ -31,7 +31,14 @@ inline float srgbFromLinear(float l) {
 
 /// Linear value of each 8-bit sRGB value.
 const std::array<float, 256>& linearTable();
-/// Nearest 8-bit sRGB value of a linear one, clamped.
-std::uint8_t encodeSrgb(float linear);
+/// 8-bit sRGB value of every linear one in steps of 1/65535: the nearest but for a twentieth of a step.
+inline constexpr int kEncodeSteps = 65536;
+const std::array<std::uint8_t, kEncodeSteps>& encodeTable();
+/// 8-bit sRGB value of a linear one, clamped; NaN is 0.
+inline std::uint8_t encodeSrgb(float linear) {
+  const float scaled = linear * (kEncodeSteps - 1) + 0.5f;
+  if (!(scaled > 0)) return 0;
+  return scaled >= kEncodeSteps ? 255 : encodeTable()[static_cast<int>(scaled)];
+}
 
 }  // namespace stipple

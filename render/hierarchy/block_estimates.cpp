@@ -55,9 +55,8 @@ Eigen::Vector3f fitNormal(const Block& x, int count) {
 
 }  // namespace
 
-std::vector<BlockEstimate> estimateBlocks(std::span<const Eigen::Vector3f> positions,
-                                          std::span<const Index> pointOfSlot, const Progress* progress) {
-  const std::size_t blocks = (pointOfSlot.size() + kLeavesOfBlock - 1) / kLeavesOfBlock;
+std::vector<BlockEstimate> estimateBlocks(std::span<const PlacedPoint> leaves, const Progress* progress) {
+  const std::size_t blocks = (leaves.size() + kLeavesOfBlock - 1) / kLeavesOfBlock;
   std::vector<BlockEstimate> estimates(blocks);
   parallelFor(
       blocks, 1024,
@@ -65,9 +64,8 @@ std::vector<BlockEstimate> estimateBlocks(std::span<const Eigen::Vector3f> posit
         Block x;
         for (std::size_t block = begin; block < end; ++block) {
           const std::size_t first = block * kLeavesOfBlock;
-          const int count =
-              static_cast<int>(std::min<std::size_t>(kLeavesOfBlock, pointOfSlot.size() - first));
-          for (int i = 0; i < count; ++i) x[i] = positions[pointOfSlot[first + i]];
+          const int count = static_cast<int>(std::min<std::size_t>(kLeavesOfBlock, leaves.size() - first));
+          for (int i = 0; i < count; ++i) x[i] = leaves[first + i].position;
           estimates[block] = {kRim * std::sqrt(squaredSpacing(x, count)), fitNormal(x, count)};
         }
       },

@@ -19,17 +19,17 @@ constexpr Rgba8 kGray{200, 200, 200, 0};
 
 class LeafFiller {
  public:
-  LeafFiller(const LeafAttributes& leaves, Hierarchy& hierarchy, const Progress* progress)
-      : leaves_(leaves), hierarchy_(hierarchy), least_(leastRadius()) {
-    if (leaves.radii.empty() || leaves.normals.empty()) {
-      blocks_ = estimateBlocks(leaves.positions, hierarchy.pointOfSlot, progress);
-    }
+  LeafFiller(const LeafAttributes& leaves, std::span<const PlacedPoint> slots, const Progress* progress)
+      : leaves_(leaves), slots_(slots), least_(leastRadius()) {
+    if (leaves.radii.empty() || leaves.normals.empty()) blocks_ = estimateBlocks(slots, progress);
   }
 
   Splat fill(Index slot) const {
-    const Index point = hierarchy_.pointOfSlot[slot];
-    const Eigen::Vector3f& p = leaves_.positions[point];
-    Splat splat{.x = p.x(), .y = p.y(), .z = p.z()};
+    const auto& [p, point] = slots_[slot];
+    Splat splat;
+    splat.x = p.x();
+    splat.y = p.y();
+    splat.z = p.z();
     float side = 0;
     if (leaves_.radii.empty()) {
       side = std::max(blocks_[slot / kLeavesOfBlock].spacing, least_);
@@ -66,7 +66,7 @@ class LeafFiller {
   }
 
   const LeafAttributes& leaves_;
-  Hierarchy& hierarchy_;
+  std::span<const PlacedPoint> slots_;
   float least_;
   std::vector<BlockEstimate> blocks_;
 };
@@ -76,15 +76,18 @@ class LeafFiller {
 Hierarchy buildHierarchy(const LeafAttributes& leaves, LeafOrder order, const Progress* progress) {
   const auto count = static_cast<Index>(leaves.positions.size());
   Hierarchy hierarchy(count);
-  hierarchy.pointOfSlot = orderLeaves(leaves.positions, order, progress);
+  hierarchy.pointOfSlot.resize(count);
   hierarchy.slotOfPoint.resize(count);
-  const LeafFiller filler(leaves, hierarchy, progress);
+  const std::vector<PlacedPoint> slots = orderLeaves(leaves.positions, order, progress);
+  const LeafFiller filler(leaves, slots, progress);
   const std::span<Splat> splats = hierarchy.editSplats();
   parallelFor(
       count, kGrain,
       [&](std::size_t begin, std::size_t end) {
         for (auto slot = static_cast<Index>(begin); slot < end; ++slot) {
-          hierarchy.slotOfPoint[hierarchy.pointOfSlot[slot]] = slot;
+          const Index point = slots[slot].point;
+          hierarchy.pointOfSlot[slot] = point;
+          hierarchy.slotOfPoint[point] = slot;
           splats[slot] = filler.fill(slot);
         }
       },

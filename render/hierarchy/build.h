@@ -25,9 +25,15 @@ struct LeafAttributes {
 /// Orders the points, fills the leaves and aggregates all levels. Throws Cancelled.
 Hierarchy buildHierarchy(const LeafAttributes& leaves, LeafOrder order, const Progress* progress = nullptr);
 
-/// Slots in left-balanced kd order (median splits at powers of two along the longest axis), or along the
-/// Morton curve: result[slot] is a point.
-std::vector<Index> orderLeaves(std::span<const Eigen::Vector3f> positions, LeafOrder order,
-                               const Progress* progress = nullptr);
+/// A point and where it is.
+struct PlacedPoint {
+  Eigen::Vector3f position;
+  Index point;
+};
+
+/// The points slot by slot: left-balanced kd order (median splits at powers of two along the longest axis),
+/// or along the Morton curve.
+std::vector<PlacedPoint> orderLeaves(std::span<const Eigen::Vector3f> positions, LeafOrder order,
+                                     const Progress* progress = nullptr);
 
 }  // namespace stipple

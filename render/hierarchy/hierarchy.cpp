@@ -14,7 +14,7 @@ constexpr float kSteps = 4095;
 constexpr std::uint32_t kMask = 0xfff;
 
 std::uint32_t quantize(float t) {
-  return static_cast<std::uint32_t>(std::clamp(std::floor((t + 1) * 0.5f * kSteps + 0.5f), 0.f, kSteps));
+  return static_cast<std::uint32_t>(std::clamp((t + 1) * 0.5f * kSteps, 0.f, kSteps) + 0.5f);
 }
 
 float signOf(float t) {
@@ -32,14 +32,18 @@ const std::array<float, 256>& ratioTable() {
 
 }  // namespace
 
-std::uint32_t packShape(const glm::vec3& normal, float areaRatio) {
+std::uint32_t packNormal(const glm::vec3& normal) {
   const float sum = std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z);
   const bool isVector = sum > 0 && std::isfinite(sum);
   const glm::vec3 n = isVector ? normal / sum : glm::vec3(0, 0, 1);
   glm::vec2 p(n.x, n.y);
   if (n.z < 0) p = {(1 - std::abs(n.y)) * signOf(n.x), (1 - std::abs(n.x)) * signOf(n.y)};
+  return quantize(p.x) | quantize(p.y) << 12;
+}
+
+std::uint32_t packShape(const glm::vec3& normal, float areaRatio) {
   const float code = areaRatio > 0 ? std::clamp(std::round(32 * (std::log2(areaRatio) + 6)), 0.f, 255.f) : 0;
-  return quantize(p.x) | quantize(p.y) << 12 | static_cast<std::uint32_t>(code) << 24;
+  return packNormal(normal) | static_cast<std::uint32_t>(code) << 24;
 }
 
 glm::vec3 unpackNormal(std::uint32_t shape) {

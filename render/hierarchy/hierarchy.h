@@ -26,6 +26,7 @@ static_assert(sizeof(Splat) == 24);
 /// bits 24 to 31 the ratio of sqrt(area) to the radius as 2^(code / 32 - 6). Discs overlap: their areas are
 /// those of the surface.
 std::uint32_t packShape(const glm::vec3& normal, float areaRatio);
+std::uint32_t packNormal(const glm::vec3& normal);
 glm::vec3 unpackNormal(std::uint32_t shape);
 float unpackAreaRatio(std::uint32_t shape);
 

@@ -82,7 +82,7 @@ class MortonSort {
   std::vector<std::array<Index, kDigits>> counts_;
 };
 
-std::vector<Index> mortonOrder(std::span<const Eigen::Vector3f> positions, const Progress* progress) {
+std::vector<PlacedPoint> mortonOrder(std::span<const Eigen::Vector3f> positions, const Progress* progress) {
   const MortonLattice lattice = fitMortonLattice(positions);
   std::vector<CodedPoint> points(positions.size());
   parallelFor(
@@ -93,40 +93,32 @@ std::vector<Index> mortonOrder(std::span<const Eigen::Vector3f> positions, const
       },
       progress);
   MortonSort(points, progress).sort();
-  std::vector<Index> order(points.size());
+  std::vector<PlacedPoint> order(points.size());
   parallelFor(
-      points.size(), 1 << 16,
+      points.size(), 1 << 14,
       [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) order[i] = points[i].point;
+        for (std::size_t i = begin; i < end; ++i) order[i] = {positions[points[i].point], points[i].point};
       },
       progress);
   return order;
 }
 
-struct PlacedPoint {
-  std::array<float, 3> x;
-  Index point;
-};
-
 int longestAxis(std::span<const PlacedPoint> points) {
-  std::array<float, 3> low = points.front().x, high = low;
+  Eigen::Vector3f low = points.front().position, high = low;
   for (const PlacedPoint& p : points) {
-    for (int k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], p.x[k]);
-      high[k] = std::max(high[k], p.x[k]);
-    }
+    low = low.cwiseMin(p.position);
+    high = high.cwiseMax(p.position);
   }
   int axis = 0;
-  for (int k = 1; k < 3; ++k) {
-    if (high[k] - low[k] > high[axis] - low[axis]) axis = k;
-  }
+  (high - low).maxCoeff(&axis);
   return axis;
 }
 
 // Moves the `left` points that are smallest along the axis to the front.
 void split(std::span<PlacedPoint> points, std::size_t left, int axis) {
-  std::nth_element(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(left), points.end(),
-                   [axis](const PlacedPoint& a, const PlacedPoint& b) { return a.x[axis] < b.x[axis]; });
+  std::nth_element(
+      points.begin(), points.begin() + static_cast<std::ptrdiff_t>(left), points.end(),
+      [axis](const PlacedPoint& a, const PlacedPoint& b) { return a.position[axis] < b.position[axis]; });
 }
 
 void splitRecursively(std::span<PlacedPoint> points, const Progress* progress) {
@@ -146,29 +138,12 @@ void splitRecursively(std::span<PlacedPoint> points, const Progress* progress) {
 
 }  // namespace
 
-std::vector<Index> orderLeaves(std::span<const Eigen::Vector3f> positions, LeafOrder order,
-                               const Progress* progress) {
-  std::vector<Index> slots = mortonOrder(positions, progress);
-  if (order == LeafOrder::kMorton) return slots;
+std::vector<PlacedPoint> orderLeaves(std::span<const Eigen::Vector3f> positions, LeafOrder order,
+                                     const Progress* progress) {
+  std::vector<PlacedPoint> points = mortonOrder(positions, progress);
   // From the Morton order, where points that stand together fall on one side together: branches are foreseen.
-  std::vector<PlacedPoint> points(positions.size());
-  parallelFor(
-      points.size(), 1 << 16,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-          const Eigen::Vector3f& p = positions[slots[i]];
-          points[i] = {{p.x(), p.y(), p.z()}, slots[i]};
-        }
-      },
-      progress);
-  splitRecursively(points, progress);
-  parallelFor(
-      points.size(), 1 << 16,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) slots[i] = points[i].point;
-      },
-      progress);
-  return slots;
+  if (order == LeafOrder::kKd) splitRecursively(points, progress);
+  return points;
 }
 
 }  // namespace stipple

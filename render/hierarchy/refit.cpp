@@ -1,8 +1,8 @@
 #include "render/hierarchy/refit.h"
 
 #include <algorithm>
-#include <cmath>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "render/appearance/light.h"
@@ -15,16 +15,15 @@ constexpr std::size_t kGrain = 4096;
 // Rounding must not let a child out of its parent's sphere.
 constexpr float kSlack = 1 + 4e-7f;
 
-// Children summed up, weighted by their areas.
+// Children summed up, weighted by their areas; normals turned to one side.
 struct Sums {
   float area = 0;
   glm::vec3 center{0}, normal{0}, color{0};
   float selected = 0;
   bool isFlipped = false;
 
-  void add(const Splat& child) {
+  void add(const Splat& child, glm::vec3& n) {
     const float a = std::max(areaOf(child), kLeastArea);
-    glm::vec3 n = unpackNormal(child.shape);
     if (glm::dot(n, normal) < 0) {
       n = -n;
       isFlipped = true;
@@ -49,31 +48,36 @@ float cosineOfSum(float a, float b) {
 }  // namespace
 
 void aggregate(Hierarchy& hierarchy, Index parent, Index first, Index count) {
+  static const std::uint32_t kInnerRatio = packShape(glm::vec3(0, 0, 1), 1 / kRadiusOfArea) & 0xff000000;
   const std::span<Splat> splats = hierarchy.editSplats();
+  std::array<glm::vec3, Hierarchy::kArity> normals;
   Sums sums;
-  for (Index i = first; i < first + count; ++i) sums.add(splats[i]);
-
+  for (Index i = 0; i < count; ++i) {
+    normals[i] = unpackNormal(splats[first + i].shape);
+    sums.add(splats[first + i], normals[i]);
+  }
   const float scale = 1 / sums.area;
   const glm::vec3 center = scale * sums.center, color = scale * sums.color;
-  const float length = glm::length(sums.normal);
-  const glm::vec3 normal = length > 0 ? sums.normal / length : unpackNormal(splats[first].shape);
-  Splat& splat = splats[parent];
-  splat.x = center.x;
-  splat.y = center.y;
-  splat.z = center.z;
-  splat.radius = kRadiusOfArea * std::sqrt(sums.area);
-  splat.shape = packShape(normal, 1 / kRadiusOfArea);
-  splat.color = {encodeSrgb(color.x), encodeSrgb(color.y), encodeSrgb(color.z),
-                 static_cast<std::uint8_t>(scale * sums.selected + 0.5f)};
+  const std::uint32_t shape = packNormal(sums.normal) | kInnerRatio;
+  splats[parent] = {center.x,
+                    center.y,
+                    center.z,
+                    kRadiusOfArea * std::sqrt(sums.area),
+                    shape,
+                    {encodeSrgb(color.x), encodeSrgb(color.y), encodeSrgb(color.z),
+                     static_cast<std::uint8_t>(scale * sums.selected + 0.5f)}};
 
   Bound bound{0, sums.isFlipped ? -1.f : 1.f};
-  const glm::vec3 axis = unpackNormal(splat.shape);
-  for (Index i = first; i < first + count; ++i) {
-    const bool isLeaf = i < hierarchy.leafCount();
-    bound.radius =
-        std::max(bound.radius, glm::length(splats[i].center() - center) + hierarchy.boundingRadius(i));
-    const float turned = std::clamp(glm::dot(axis, unpackNormal(splats[i].shape)), -1.f, 1.f);
-    bound.cosine = std::min(bound.cosine, cosineOfSum(turned, isLeaf ? 1 : hierarchy.bound(i).cosine));
+  const glm::vec3 axis = unpackNormal(shape);
+  const bool overLeaves = first < hierarchy.leafCount();
+  for (Index i = 0; i < count; ++i) {
+    const Index child = first + i;
+    bound.radius = std::max(bound.radius,
+                            glm::length(splats[child].center() - center) + hierarchy.boundingRadius(child));
+    if (bound.cosine <= 0) continue;
+    const float turned = std::min(glm::dot(axis, normals[i]), 1.f);
+    bound.cosine =
+        std::min(bound.cosine, cosineOfSum(turned, overLeaves ? 1 : hierarchy.bound(child).cosine));
   }
   bound.radius *= kSlack;
   hierarchy.editBound(parent) = bound;
