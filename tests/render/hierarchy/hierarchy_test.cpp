@@ -60,7 +60,9 @@ void expectConesHoldTheLeaves(const Hierarchy& h) {
       ASSERT_LE(glm::distance(splats[node].center(), splats[leaf].center()) + splats[leaf].radius,
                 h.bound(node).radius * (1 + 1e-5f));
       const float turned = glm::dot(normal, unpackNormal(splats[node].shape));
-      ASSERT_GE(turned, h.bound(node).cosine - 1e-4f) << "leaf " << leaf << " level " << level;
+      const float cosine = h.bound(node).cosine;
+      if (cosine <= 0) continue;  // no cone
+      ASSERT_GE(turned, cosine - 1e-4f) << "leaf " << leaf << " level " << level;
     }
   }
 }
@@ -79,15 +81,16 @@ void expectMeansByArea(const Hierarchy& h) {
       normal += (glm::dot(normal, glm::dvec3(n)) < 0 ? -a : a) * glm::dvec3(n);
     }
     const Splat& s = splats[parent];
-    const double scale = s.radius;
+    // The means and the rounding of their coordinates.
+    const double scale = s.radius + 3e-3 * glm::length(s.center());
     ASSERT_LT(glm::distance(glm::dvec3(s.center()), center / area), 1e-4 * scale);
     // The ratio of area to disc is stored to 1/32 of an octave.
     ASSERT_NEAR(areaOf(s) / area, 1, 0.025);
-    ASSERT_NEAR(s.radius, kRadiusOfArea * std::sqrt(area), 1e-4 * scale);
+    ASSERT_NEAR(s.radius, kRadiusOfArea * std::sqrt(area), 1e-4 * s.radius);
     const glm::dvec3 mean = color / area;
-    ASSERT_LE(std::abs(s.color.r - 255 * srgbFromLinear(float(mean.x))), 0.51);
-    ASSERT_LE(std::abs(s.color.g - 255 * srgbFromLinear(float(mean.y))), 0.51);
-    ASSERT_LE(std::abs(s.color.b - 255 * srgbFromLinear(float(mean.z))), 0.51);
+    ASSERT_LE(std::abs(s.color.r - 255 * srgbFromLinear(float(mean.x))), 0.55);
+    ASSERT_LE(std::abs(s.color.g - 255 * srgbFromLinear(float(mean.y))), 0.55);
+    ASSERT_LE(std::abs(s.color.b - 255 * srgbFromLinear(float(mean.z))), 0.55);
     if (glm::length(normal) > 1e-3 * area) {
       ASSERT_GT(glm::dot(glm::normalize(normal), glm::dvec3(unpackNormal(s.shape))), 1 - 1e-5);
     }
