@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/appearance/appearance.h"
+#include "render/hierarchy/hierarchy.h"
+#include "render/hierarchy/view.h"
+
+namespace stipple {
+
+/// Pixels [x0, x1] x [y0, y1].
+struct PixelBox {
+  std::int16_t x0 = 0, y0 = 0, x1 = -1, y1 = -1;
+  bool isEmpty() const { return x1 < x0 || y1 < y0; }
+};
+
+/// A splat on the screen. At an offset (dx, dy) in pixels from its center a ray meets its plane at the place
+/// (l0, l1) in units of the radius: with n_k = a_k dx + b_k dy and u = u0 + u1 dx + u2 dy, perspective: depth
+/// z = 1 / u and l_k = n_k z; orthographic: z = u and l_k = n_k.
+struct ProjectedSplat {
+  float x = 0, y = 0;  // center, pixels
+  float a0 = 0, b0 = 0, a1 = 0, b1 = 0;
+  float u0 = 0, u1 = 0, u2 = 0;
+  float z = 0, radius = 0;             // of the center, world units
+  float nx = 0, ny = 0, nz = -1;       // unit, view space, towards the viewer
+  float red = 0, green = 0, blue = 0;  // linear
+  Index node = 0;
+};
+
+/// Projects nodes of a cut. `boxes` says which pixels each may touch; empty where it is not in the picture.
+/// Both have the length of `nodes`.
+void projectSplats(std::span<const Splat> splats, std::span<const Index> nodes, const View& view,
+                   const Appearance& appearance, std::span<ProjectedSplat> projected,
+                   std::span<PixelBox> boxes);
+
+}  // namespace stipple

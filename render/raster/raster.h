@@ -1,0 +1,41 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/progress.h"
+#include "render/appearance/appearance.h"
+#include "render/hierarchy/refit.h"
+#include "render/raster/finish.h"
+#include "render/raster/frame.h"
+#include "render/raster/tile_lists.h"
+
+namespace stipple {
+
+/// Draws splats on the processor: projects them, lists them by tile, draws tile by tile in the cache
+/// (visibility, attributes, light), then finishes with what needs neighbors. Parallel; same bits for any
+/// number of threads.
+class Raster {
+ public:
+  /// Draws nodes into `frame`, which keeps its memory. Throws Cancelled with the frame half drawn.
+  void draw(std::span<const Splat> splats, std::span<const Index> nodes, const View& view,
+            const Appearance& appearance, FrameBuffers& frame, const Progress* progress);
+
+  /// After draw() with a still camera: draws only tiles again that changed splats touch. False, with nothing
+  /// done, where that does not work out (many tiles).
+  bool redraw(std::span<const Splat> splats, std::span<const NodeRange> changed, FrameBuffers& frame);
+
+ private:
+  void drawTiles(std::span<const std::uint32_t> tiles, FrameBuffers& frame, const Progress* progress);
+  PixelRect rectOf(std::uint32_t tile, int rim, const FrameBuffers& frame) const;
+
+  std::vector<Index> nodes_;
+  View view_;
+  Appearance appearance_;
+  std::vector<ProjectedSplat> projected_;
+  std::vector<PixelBox> boxes_;
+  TileLists lists_;
+  Finisher finisher_;
+};
+
+}  // namespace stipple

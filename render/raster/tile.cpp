@@ -1,0 +1,247 @@
+#include "render/raster/tile.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/appearance/kernel.h"
+#include "render/appearance/light.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/raster/tile.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace stipple::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Floats = hn::CappedTag<float, Tile::kPadding>;
+using Ints = hn::RebindToSigned<Floats>;
+using V = hn::Vec<Floats>;
+using M = hn::Mask<Floats>;
+
+// The part of a splat's pixels that lies in a tile, relative to the tile.
+struct Part {
+  int x0, y0, x1, y1;
+};
+
+HWY_INLINE Part partOf(const PixelBox& box, const Tile& tile) {
+  return {std::max(box.x0 - tile.x, 0), std::max(box.y0 - tile.y, 0),
+          std::min(box.x1 - tile.x, tile.width - 1), std::min(box.y1 - tile.y, tile.height - 1)};
+}
+
+// Footprint and depth of one splat along one row of pixels.
+template <bool kPerspective>
+struct Row {
+  HWY_INLINE Row(const ProjectedSplat& splat, float dy)
+      : s(splat), dy2(dy * dy), n0(splat.b0 * dy), n1(splat.b1 * dy), u(splat.u0 + splat.u2 * dy) {}
+
+  struct Fragment {
+    V q, z;
+  };
+  HWY_INLINE Fragment at(V dx) const {
+    const Floats f;
+    const V l0 = hn::MulAdd(hn::Set(f, s.a0), dx, hn::Set(f, n0));
+    const V l1 = hn::MulAdd(hn::Set(f, s.a1), dx, hn::Set(f, n1));
+    const V depth = hn::MulAdd(hn::Set(f, s.u1), dx, hn::Set(f, u));
+    V q = hn::MulAdd(l0, l0, hn::Mul(l1, l1)), z = depth;
+    if (kPerspective) {
+      z = hn::Div(hn::Set(f, 1), depth);
+      q = hn::Mul(q, hn::Mul(z, z));
+      z = hn::IfThenElse(hn::Gt(depth, hn::Zero(f)), z, hn::Set(f, s.z));
+    }
+    constexpr float kPerRadius = 1 / (kernel::kScreenRadiusPx * kernel::kScreenRadiusPx);
+    const V screen = hn::Mul(hn::MulAdd(dx, dx, hn::Set(f, dy2)), hn::Set(f, kPerRadius));
+    z = hn::Min(hn::Max(z, hn::Set(f, s.z - s.radius)), hn::Set(f, s.z + s.radius));
+    return {hn::Min(q, screen), z};
+  }
+
+  const ProjectedSplat& s;
+  float dy2, n0, n1, u;
+};
+
+// body(row, place in the tile, dx, mask of the pixels that are the splat's) for all pixels of a splat in a
+// tile.
+template <bool kPerspective, class Body>
+HWY_INLINE void forPixels(const Tile& tile, const ProjectedSplat& s, const PixelBox& box, const Body& body) {
+  const Floats f;
+  const int lanes = static_cast<int>(hn::Lanes(f));
+  const Part part = partOf(box, tile);
+  const float left = static_cast<float>(tile.x) + 0.5f - s.x, top = static_cast<float>(tile.y) + 0.5f - s.y;
+  for (int y = part.y0; y <= part.y1; ++y) {
+    const Row<kPerspective> row(s, top + static_cast<float>(y));
+    for (int x = part.x0; x <= part.x1; x += lanes) {
+      const V dx = hn::Iota(f, left + static_cast<float>(x));
+      body(row, static_cast<std::size_t>(y) * Tile::kStride + x, dx,
+           hn::FirstN(f, static_cast<std::size_t>(part.x1 - x + 1)));
+    }
+  }
+}
+
+template <bool kPerspective>
+HWY_INLINE void findVisible(Tile& tile, const ProjectedSplat& s, const PixelBox& box, std::int32_t id) {
+  const Floats f;
+  const Ints i;
+  forPixels<kPerspective>(
+      tile, s, box, [&](const Row<kPerspective>& row, std::size_t at, V dx, M inside) HWY_ATTR {
+        const auto [q, z] = row.at(dx);
+        const V held = hn::LoadU(f, tile.depth.data() + at);
+        const M wins = hn::And(hn::And(inside, hn::Le(q, hn::Set(f, 1))), hn::Lt(z, held));
+        if (hn::AllFalse(f, wins)) return;
+        hn::StoreU(hn::IfThenElse(wins, z, held), f, tile.depth.data() + at);
+        const auto ids = hn::LoadU(i, tile.splat.data() + at);
+        hn::StoreU(hn::IfThenElse(hn::RebindMask(i, wins), hn::Set(i, id), ids), i, tile.splat.data() + at);
+      });
+}
+
+template <bool kPerspective>
+HWY_INLINE void addAttributes(Tile& tile, const ProjectedSplat& s, const PixelBox& box, std::int32_t id) {
+  const Floats f;
+  const Ints i;
+  const float values[6] = {s.red, s.green, s.blue, s.nx, s.ny, s.nz};
+  forPixels<kPerspective>(
+      tile, s, box, [&](const Row<kPerspective>& row, std::size_t at, V dx, M inside) HWY_ATTR {
+        const auto [q, z] = row.at(dx);
+        const V seen = hn::LoadU(f, tile.depth.data() + at);
+        const M near = hn::Le(z, hn::Add(seen, hn::Set(f, kernel::kDepthBand * s.radius)));
+        M counts = hn::And(hn::And(inside, hn::Le(q, hn::Set(f, 1))), near);
+        if (hn::AllFalse(f, counts)) return;
+        const V cosine =
+            hn::MulAdd(hn::Set(f, s.nx), hn::LoadU(f, tile.seen[0].data() + at),
+                       hn::MulAdd(hn::Set(f, s.ny), hn::LoadU(f, tile.seen[1].data() + at),
+                                  hn::Mul(hn::Set(f, s.nz), hn::LoadU(f, tile.seen[2].data() + at))));
+        const M isSeen = hn::RebindMask(f, hn::Eq(hn::LoadU(i, tile.splat.data() + at), hn::Set(i, id)));
+        counts = hn::And(counts, hn::Or(isSeen, hn::Ge(cosine, hn::Set(f, kernel::kNormalCosine))));
+        const V falloff = hn::Sub(hn::Set(f, 1), q);
+        const V weight =
+            hn::IfThenElseZero(counts, hn::Max(hn::Mul(falloff, falloff), hn::Set(f, kernel::kLeastWeight)));
+        for (int k = 0; k < 6; ++k) {
+          float* sum = tile.sums[k].data() + at;
+          hn::StoreU(hn::MulAdd(weight, hn::Set(f, values[k]), hn::LoadU(f, sum)), f, sum);
+        }
+        float* sum = tile.sums[6].data() + at;
+        hn::StoreU(hn::Add(weight, hn::LoadU(f, sum)), f, sum);
+      });
+}
+
+// Normals of the visible splats, which decide what is blended with them.
+HWY_INLINE void gatherSeen(Tile& tile, std::span<const ProjectedSplat> splats) {
+  for (int y = 0; y < tile.height; ++y) {
+    for (int at = y * Tile::kStride; at < y * Tile::kStride + tile.width; ++at) {
+      if (tile.splat[at] < 0) continue;
+      const ProjectedSplat& s = splats[tile.splat[at]];
+      tile.seen[0][at] = s.nx;
+      tile.seen[1][at] = s.ny;
+      tile.seen[2][at] = s.nz;
+    }
+  }
+}
+
+// Without blending the visible splat is all there is.
+HWY_INLINE void takeVisible(Tile& tile, std::span<const ProjectedSplat> splats) {
+  for (int y = 0; y < tile.height; ++y) {
+    for (int at = y * Tile::kStride; at < y * Tile::kStride + tile.width; ++at) {
+      if (tile.splat[at] < 0) continue;
+      const ProjectedSplat& s = splats[tile.splat[at]];
+      const float values[7] = {s.red, s.green, s.blue, s.nx, s.ny, s.nz, 1};
+      for (int k = 0; k < 7; ++k) tile.sums[k][at] = values[k];
+    }
+  }
+}
+
+// Means of what was added up, lit; interleaved into the frame.
+HWY_INLINE void shadeRow(const Tile& tile, int y, bool lit, FrameBuffers& frame) {
+  const Floats f;
+  const std::size_t lanes = hn::Lanes(f);
+  HWY_ALIGN float rgb[4][Tile::kStride];
+  for (std::size_t x = 0; x < static_cast<std::size_t>(tile.width); x += lanes) {
+    const std::size_t at = static_cast<std::size_t>(y) * Tile::kStride + x;
+    const auto sum = [&](int k) HWY_ATTR { return hn::LoadU(f, tile.sums[k].data() + at); };
+    const V weight = sum(6);
+    const M isCovered = hn::Gt(weight, hn::Zero(f));
+    const V scale = hn::Div(hn::Set(f, 1), hn::IfThenElse(isCovered, weight, hn::Set(f, 1)));
+    V shade = hn::Set(f, 1);
+    if (lit) {
+      const V nx = sum(3), ny = sum(4), nz = sum(5);
+      const V length = hn::Sqrt(hn::MulAdd(nx, nx, hn::MulAdd(ny, ny, hn::Mul(nz, nz))));
+      const V along =
+          hn::MulAdd(nx, hn::Set(f, light::kKey.x),
+                     hn::MulAdd(ny, hn::Set(f, light::kKey.y), hn::Mul(nz, hn::Set(f, light::kKey.z))));
+      const V facing = hn::Max(hn::Zero(f), hn::Div(along, hn::Max(length, hn::Set(f, 1e-12f))));
+      shade = hn::MulAdd(hn::Set(f, light::kDiffuse), facing, hn::Set(f, light::kAmbient));
+    }
+    shade = hn::Mul(shade, scale);
+    for (int k = 0; k < 3; ++k) hn::Store(hn::Mul(shade, sum(k)), f, rgb[k] + x);
+    hn::Store(hn::IfThenElseZero(isCovered, hn::Set(f, 1)), f, rgb[3] + x);
+  }
+  glm::vec4* out = frame.light.data() + frame.at(tile.x, tile.y + y);
+  for (int x = 0; x < tile.width; ++x) out[x] = {rgb[0][x], rgb[1][x], rgb[2][x], rgb[3][x]};
+}
+
+HWY_INLINE void storeTile(const Tile& tile, std::span<const ProjectedSplat> splats, bool lit,
+                          FrameBuffers& frame) {
+  for (int y = 0; y < tile.height; ++y) {
+    const std::size_t from = static_cast<std::size_t>(y) * Tile::kStride, to = frame.at(tile.x, tile.y + y);
+    std::copy_n(tile.depth.data() + from, tile.width, frame.depth.data() + to);
+    for (int x = 0; x < tile.width; ++x) {
+      const std::int32_t splat = tile.splat[from + x];
+      frame.nodes[to + x] = splat < 0 ? FrameBuffers::kNoNode : splats[splat].node;
+    }
+    shadeRow(tile, y, lit, frame);
+  }
+}
+
+template <bool kPerspective>
+HWY_INLINE void drawSplats(Tile& tile, std::span<const ProjectedSplat> splats,
+                           std::span<const PixelBox> boxes, std::span<const std::uint32_t> list,
+                           const TileOptions& options) {
+  for (const std::uint32_t id : list)
+    findVisible<kPerspective>(tile, splats[id], boxes[id], static_cast<std::int32_t>(id));
+  if (!options.blends) return takeVisible(tile, splats);
+  gatherSeen(tile, splats);
+  for (const std::uint32_t id : list)
+    addAttributes<kPerspective>(tile, splats[id], boxes[id], static_cast<std::int32_t>(id));
+}
+
+void drawOne(Tile& tile, std::span<const ProjectedSplat> splats, std::span<const PixelBox> boxes,
+             std::span<const std::uint32_t> list, const TileOptions& options, FrameBuffers& frame) {
+  tile.depth.fill(FrameBuffers::kEmpty);
+  tile.splat.fill(-1);
+  if (!list.empty()) {
+    for (Tile::Plane& plane : tile.sums) plane.fill(0);
+    options.isPerspective ? drawSplats<true>(tile, splats, boxes, list, options)
+                          : drawSplats<false>(tile, splats, boxes, list, options);
+    return storeTile(tile, splats, options.lit, frame);
+  }
+  for (int y = 0; y < tile.height; ++y) {
+    const std::size_t to = frame.at(tile.x, tile.y + y);
+    std::fill_n(frame.light.data() + to, tile.width, glm::vec4(0));
+    std::fill_n(frame.depth.data() + to, tile.width, FrameBuffers::kEmpty);
+    std::fill_n(frame.nodes.data() + to, tile.width, FrameBuffers::kNoNode);
+  }
+}
+
+const char* nameOfTarget() {
+  return hwy::TargetName(HWY_TARGET);
+}
+
+}  // namespace stipple::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace stipple {
+
+HWY_EXPORT(drawOne);
+HWY_EXPORT(nameOfTarget);
+
+void drawTile(Tile& tile, std::span<const ProjectedSplat> splats, std::span<const PixelBox> boxes,
+              std::span<const std::uint32_t> list, const TileOptions& options, FrameBuffers& frame) {
+  HWY_DYNAMIC_DISPATCH(drawOne)(tile, splats, boxes, list, options, frame);
+}
+
+const char* rasterInstructionSet() {
+  return HWY_DYNAMIC_DISPATCH(nameOfTarget)();
+}
+
+}  // namespace stipple
+#endif

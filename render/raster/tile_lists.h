@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/progress.h"
+#include "render/raster/projected_splat.h"
+
+namespace stipple {
+
+/// For every tile of a picture the splats that may touch it, in their order. Compressed rows.
+struct TileLists {
+  int columns = 0, rows = 0;
+  std::vector<std::uint32_t> offsets, splats;
+
+  std::span<const std::uint32_t> of(std::size_t tile) const {
+    return {splats.data() + offsets[tile], offsets[tile + 1] - offsets[tile]};
+  }
+};
+
+/// Counting sort of the boxes by tiles of `size` pixels; `lists` keeps its memory from frame to frame.
+void listTiles(std::span<const PixelBox> boxes, int width, int height, int size, TileLists& lists,
+               const Progress* progress);
+
+}  // namespace stipple

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "render/raster/raster.h"
+#include "render/splat/renderer.h"
+
+namespace stipple {
+
+/// Draws on the processor, on all cores; needs no OpenGL.
+class CpuRenderer final : public Renderer {
+ public:
+  const char* backend() const override { return "cpu"; }
+  void upload(const Hierarchy& hierarchy, const std::vector<NodeRange>& changed) override;
+  void draw(const Hierarchy& hierarchy, const std::vector<Index>& nodes, const View& view,
+            const Appearance& appearance, Accumulate accumulate, const Progress* progress) override;
+  void drawMesh(const SurfaceMesh& mesh, const View& view, const Appearance& appearance,
+                Accumulate accumulate, const Progress* progress) override;
+  Image image() override;
+  std::optional<Pick> pick(int x, int y) override;
+
+ private:
+  void take(FrameBuffers& frame, const View& view, const Appearance& appearance, Accumulate accumulate);
+
+  Raster raster_;
+  FrameBuffers drawn_, shown_;  // shown: complete; its light is the mean
+  int frames_ = 0;
+  View view_;
+  std::optional<Rgba8> background_;
+};
+
+}  // namespace stipple
