@@ -16,15 +16,16 @@ struct ZoomPath {
 
 /// How much more pictures change from frame to frame than those of the surface itself do.
 struct Popping {
-  double worst = 0;        ///< mean absolute difference of 8-bit values over the surface beyond that of the truth
+  double worst = 0;  ///< mean absolute difference of 8-bit values over the surface beyond that of the truth
   int worstFrame = 0;
-  double worstTile = 0;    ///< the same of the worst square of 16 x 16 pixels
-  double motion = 0;       ///< mean change of the truth from frame to frame
+  double worstTile = 0;      ///< the same of the worst square of 16 x 16 pixels
+  double motion = 0;         ///< mean change of the truth from frame to frame
   int incompleteFrames = 0;  ///< cuts that did not reach their tau
-  int holes = 0;           ///< of all frames
+  int holes = 0;             ///< of all frames
 };
 
-/// Draws the path with one CutMemory, as a viewer does, and compares with rays cast at `truth`, 2 x 2 a pixel.
+/// Draws the path with one CutMemory, as a viewer does, and compares with rays cast at `truth`, 2 x 2 a
+/// pixel.
 Popping measurePopping(Renderer& renderer, const Hierarchy& hierarchy, const scenes::RaySurface& truth,
                        const ZoomPath& path, const CutOptions& options);
 

@@ -104,10 +104,16 @@ struct NaivePoints::Context {
     display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (!eglInitialize(display, nullptr, nullptr)) throw IoError("EGL has no display without surfaces");
     eglBindAPI(EGL_OPENGL_API);
-    const std::array<EGLint, 7> attributes{EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5,
-                                           EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    const std::array<EGLint, 7> attributes{EGL_CONTEXT_MAJOR_VERSION,
+                                           4,
+                                           EGL_CONTEXT_MINOR_VERSION,
+                                           5,
+                                           EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                           EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                           EGL_NONE};
     context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
-    if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) throw IoError("EGL offers no OpenGL 4.5");
+    if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context))
+      throw IoError("EGL offers no OpenGL 4.5");
     program = linkProgram();
     glCreateFramebuffers(1, &frame);
     glCreateRenderbuffers(2, targets.data());
@@ -188,7 +194,8 @@ void NaivePoints::draw(const View& view, const Rgba8& background) {
   glClearColor(background.r / 255.f, background.g / 255.f, background.b / 255.f, 0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glUseProgram(program);
-  glUniformMatrix4fv(glGetUniformLocation(program, "clipFromWorld"), 1, GL_FALSE, glm::value_ptr(clipFromWorld(view)));
+  glUniformMatrix4fv(glGetUniformLocation(program, "clipFromWorld"), 1, GL_FALSE,
+                     glm::value_ptr(clipFromWorld(view)));
   glUniform3fv(glGetUniformLocation(program, "eye"), 1, glm::value_ptr(view.eye));
   glUniform3fv(glGetUniformLocation(program, "key"), 1, glm::value_ptr(key));
   glUniform2f(glGetUniformLocation(program, "light"), light::kAmbient, light::kDiffuse);

@@ -11,11 +11,13 @@
 
 namespace stipple {
 
-/// What a viewer without any structure does: all points as GL_POINTS of one pixel from one static buffer (position,
-/// normal, color; 28 bytes a point), shaded like ours, in an OpenGL 4.5 context without a window system.
+/// What a viewer without any structure does: all points as GL_POINTS of one pixel from one static buffer
+/// (position, normal, color; 28 bytes a point), shaded like ours, in an OpenGL 4.5 context without a window
+/// system.
 class NaivePoints {
  public:
-  /// Throws IoError where there is no such context. `order`: which point stands where in the buffer; empty: as given.
+  /// Throws IoError where there is no such context. `order`: which point stands where in the buffer; empty:
+  /// as given.
   NaivePoints(const scenes::SurfaceSamples& samples, std::span<const Index> order);
   ~NaivePoints();
   NaivePoints(const NaivePoints&) = delete;
