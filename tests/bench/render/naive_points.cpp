@@ -101,7 +101,7 @@ struct NaivePoints::Context {
   int width = 0, height = 0;
 
   Context() {
-    display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    display = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (!eglInitialize(display, nullptr, nullptr)) throw IoError("EGL has no display without surfaces");
     eglBindAPI(EGL_OPENGL_API);
     const std::array<EGLint, 7> attributes{EGL_CONTEXT_MAJOR_VERSION,

@@ -17,9 +17,7 @@ std::vector<Index> slotsOfDab(const Hierarchy& hierarchy, const scenes::Scene& s
   float radius = static_cast<float>(scene.spacing(hierarchy.leafCount()) * std::sqrt(count / M_PI));
   std::vector<Index> slots;
   while (slots.size() < count) {
-    slots.clear();
-    for (const Index point : findInBall(hierarchy, {middle.center(), radius}))
-      slots.push_back(hierarchy.slotOfPoint[point]);
+    slots = findInBall(hierarchy, {middle.center(), radius});
     radius *= 1.02f;
   }
   slots.resize(count);

@@ -84,11 +84,11 @@ void printTable(std::span<Baseline* const> naive, std::span<const Contestant> ou
   }
   fmt::print("{:<22} {:>9} {:>15} {:>8} {:>6} {:>6} {:>6} {:>6} {:>4} {:>5} {:>10} {:>6} {:>14} {:>14}\n",
              "ours: cut, draw, image", "splats", "ms least/median", "cpu ms", "PSNR", "edges", "SSIM",
-             "holes", "back", "fringe", "cut/draw", "gain", "R file least/m", "R Morton");
+             "holes", "back", "fringe", "cut/draw", "gain", "R file l/m/cpu", "R Morton");
   for (const Contestant& c : ours) {
     const auto ratio = [&c](const Baseline* b) {
-      return fmt::format("{:.1f}/{:.1f}", b->times.least() / c.whole.least(),
-                         b->times.median() / c.whole.median());
+      return fmt::format("{:.1f}/{:.1f}/{:.1f}", b->times.least() / c.whole.least(),
+                         b->times.median() / c.whole.median(), b->times.medianCpu() / c.whole.medianCpu());
     };
     fmt::print(
         "tau {:<4} {:<13} {:>9} {:>7.1f}/{:<7.1f} {:>8.1f} {:>6.2f} {:>6.2f} {:>6.3f} {:>6} {:>4} {:>5} "
@@ -133,7 +133,8 @@ void printConvergence(Workbench& bench) {
 }  // namespace
 
 void printSpeed(Workbench& bench) {
-  const std::vector<Index> morton = orderLeaves(bench.samples().positions, LeafOrder::kMorton);
+  std::vector<Index> morton;
+  for (const PlacedPoint& p : orderLeaves(bench.samples().positions, LeafOrder::kMorton)) morton.push_back(p.point);
   Baseline asInFile{"file order (random)", {bench.samples(), {}}},
       inOrder{"Morton order", {bench.samples(), morton}};
   fmt::print("{}\n", asInFile.points.device());

@@ -23,7 +23,7 @@ struct BenchOptions {
 /// kd order.
 class Workbench {
  public:
-  explicit Workbench(const BenchOptions& options) : options(options) { appearance.edgeStrength = 0; }
+  explicit Workbench(const BenchOptions& asked) : options(asked) { appearance.edgeStrength = 0; }
 
   const BenchOptions options;
   const scenes::Scene torus = scenes::rippledTorus();
