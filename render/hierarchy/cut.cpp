@@ -19,7 +19,7 @@ constexpr float kHysteresis = 1.1f;
 // A disc whose sphere is this many times larger does not fill it: it bridges a gap or joins two sheets.
 constexpr float kLoosest = 2.2f;
 // Subtrees that are handed to threads.
-constexpr Index kRoots = 512;
+constexpr Index kRoots = 2048;
 
 // 2^(kSpread t) for t in [-1, 1], by a hash of the node.
 float spreadOf(Index node) {
@@ -71,8 +71,22 @@ class CutSelection {
     Index node;
   };
 
-  void descend(Place top, std::vector<Index>& nodes) const;
-  bool isOutside(const Splat& splat, const glm::vec3& inView, float radius) const;
+  // A subtree that one thread descends, or a node above all of those that is drawn itself.
+  struct Root {
+    Place place;
+    float depth;  // of its nearest place
+    bool isDrawn;
+  };
+  struct Stack {
+    std::array<Place, 64> places;  // at most three siblings wait on each of up to 17 levels
+    std::size_t size = 0;
+  };
+
+  std::vector<Root> findRoots() const;
+  // Nodes to draw, depth first; subtrees of the level `lowest` are not looked into.
+  void descend(Place top, int lowest, std::vector<Place>& places) const;
+  void push(Place parent, Stack& stack) const;
+  bool isOutside(const glm::vec3& inView, float radius) const;
   bool facesAway(Index node, const glm::vec3& center, float radius) const;
   bool opens(Place place, const Splat& splat, const glm::vec3& inView) const;
 
@@ -86,7 +100,7 @@ class CutSelection {
   const float* spread_ = nullptr;
 };
 
-bool CutSelection::isOutside(const Splat&, const glm::vec3& p, float radius) const {
+bool CutSelection::isOutside(const glm::vec3& p, float radius) const {
   if (p.z + radius < view_.nearDepth) return true;
   if (view_.isPerspective()) {
     return (std::abs(p.x) - slope_.x * p.z) * scale_.x > radius ||
@@ -127,69 +141,62 @@ bool CutSelection::opens(Place place, const Splat& splat, const glm::vec3& p) co
   return opened == 1;
 }
 
-void CutSelection::descend(Place top, std::vector<Index>& nodes) const {
+// Children in ascending order on top of the stack.
+void CutSelection::push(Place parent, Stack& stack) const {
+  const Index below = hierarchy_.levelBegin(parent.level - 1);
+  const Index first = (parent.node - hierarchy_.levelBegin(parent.level)) * Hierarchy::kArity;
+  const Index end = std::min(first + Hierarchy::kArity, hierarchy_.levelSize(parent.level - 1));
+  for (Index child = end; child-- > first;) stack.places[stack.size++] = {parent.level - 1, below + child};
+}
+
+void CutSelection::descend(Place top, int lowest, std::vector<Place>& places) const {
   const std::span<const Splat> splats = hierarchy_.splats();
-  std::array<Place, 64> stack;  // at most three siblings wait on each of up to 17 levels
-  std::size_t waiting = 0;
-  stack[waiting++] = top;
-  while (waiting > 0) {
-    const Place place = stack[--waiting];
+  Stack stack;
+  stack.places[stack.size++] = top;
+  while (stack.size > 0) {
+    const Place place = stack.places[--stack.size];
     const Splat& splat = splats[place.node];
     const glm::vec3 p = view_.toView(splat.center());
     const float bound = hierarchy_.boundingRadius(place.node);
-    if (options_.cullFrustum && isOutside(splat, p, bound)) continue;
+    if (options_.cullFrustum && isOutside(p, bound)) continue;
     if (cullsBackfaces_ && facesAway(place.node, splat.center(), bound)) continue;
-    if (!opens(place, splat, p)) {
-      nodes.push_back(place.node);
-      continue;
+    if (place.level > lowest && opens(place, splat, p)) {
+      push(place, stack);
+    } else {
+      places.push_back(place);
     }
-    const Index below = hierarchy_.levelBegin(place.level - 1);
-    const Index first = (place.node - hierarchy_.levelBegin(place.level)) * Hierarchy::kArity;
-    const Index end = std::min(first + Hierarchy::kArity, hierarchy_.levelSize(place.level - 1));
-    for (Index child = end; child-- > first;) stack[waiting++] = {place.level - 1, below + child};
   }
 }
 
-bool CutSelection::select(std::vector<Index>& nodes, const Progress* progress) {
-  // Subtrees of one level, each by one thread; the few nodes above them are looked at first.
+std::vector<CutSelection::Root> CutSelection::findRoots() const {
   int level = hierarchy_.levelCount() - 1;
   while (level > 0 && hierarchy_.levelSize(level) < kRoots) --level;
-  std::vector<Place> tops{{hierarchy_.levelCount() - 1, hierarchy_.levelBegin(hierarchy_.levelCount() - 1)}};
-  std::vector<Place> roots;  // in order: subtrees, and nodes above them that are drawn
-  std::vector<std::uint8_t> isDrawn;
-  while (!tops.empty()) {
-    const Place place = tops.back();
-    tops.pop_back();
-    if (place.level == level) {
-      roots.push_back(place);
-      isDrawn.push_back(0);
-      continue;
-    }
-    const Splat& splat = hierarchy_.splats()[place.node];
-    const glm::vec3 p = view_.toView(splat.center());
-    if (options_.cullFrustum && isOutside(splat, p, hierarchy_.boundingRadius(place.node))) continue;
-    if (!opens(place, splat, p)) {
-      roots.push_back(place);
-      isDrawn.push_back(1);
-      continue;
-    }
-    const Index below = hierarchy_.levelBegin(place.level - 1);
-    const Index first = (place.node - hierarchy_.levelBegin(place.level)) * Hierarchy::kArity;
-    const Index end = std::min(first + Hierarchy::kArity, hierarchy_.levelSize(place.level - 1));
-    for (Index child = end; child-- > first;) tops.push_back({place.level - 1, below + child});
+  const Place top{hierarchy_.levelCount() - 1, hierarchy_.levelBegin(hierarchy_.levelCount() - 1)};
+  std::vector<Place> places;
+  descend(top, level, places);
+  std::vector<Root> roots;
+  for (const Place& place : places) {
+    const float depth = view_.toView(hierarchy_.splats()[place.node].center()).z;
+    roots.push_back({place, depth - hierarchy_.boundingRadius(place.node), place.level > level});
   }
+  std::stable_sort(roots.begin(), roots.end(),
+                   [](const Root& a, const Root& b) { return a.depth < b.depth; });
+  return roots;
+}
 
-  std::vector<std::vector<Index>> parts(roots.size());
+bool CutSelection::select(std::vector<Index>& nodes, const Progress* progress) {
+  const std::vector<Root> roots = findRoots();
+  std::vector<std::vector<Place>> parts(roots.size());
   std::atomic<std::size_t> count{0};
   std::atomic<bool> isTooMuch{false};
   parallelFor(
       roots.size(), 8,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t root = begin; root < end && !isTooMuch; ++root) {
-          if (isDrawn[root]) {
-            parts[root] = {roots[root].node};
+          if (roots[root].isDrawn) {
+            parts[root] = {roots[root].place};
           } else {
-            descend(roots[root], parts[root]);
+            descend(roots[root].place, 0, parts[root]);
           }
           if ((count += parts[root].size()) > options_.budget) isTooMuch = true;
         }
@@ -198,7 +205,9 @@ bool CutSelection::select(std::vector<Index>& nodes, const Progress* progress) {
   if (isTooMuch) return false;
   nodes.clear();
   nodes.reserve(count);
-  for (const std::vector<Index>& part : parts) nodes.insert(nodes.end(), part.begin(), part.end());
+  for (const std::vector<Place>& part : parts) {
+    for (const Place& place : part) nodes.push_back(place.node);
+  }
   return true;
 }
 

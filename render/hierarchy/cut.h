@@ -27,7 +27,7 @@ class CutMemory {
 };
 
 struct Cut {
-  std::vector<Index> nodes;  ///< in depth-first order of the tree: neighbors stand together
+  std::vector<Index> nodes;  ///< subtree by subtree, nearest first: neighbors stand together
   float tau = 0;             ///< what was used, at least the wanted one
   bool isComplete = true;    ///< tau is the wanted one
 };

@@ -11,7 +11,6 @@ namespace stipple {
 namespace {
 
 constexpr float kSteps = 4095;
-constexpr std::uint32_t kMask = 0xfff;
 
 std::uint32_t quantize(float t) {
   return static_cast<std::uint32_t>(std::clamp((t + 1) * 0.5f * kSteps, 0.f, kSteps) + 0.5f);
@@ -44,14 +43,6 @@ std::uint32_t packNormal(const glm::vec3& normal) {
 std::uint32_t packShape(const glm::vec3& normal, float areaRatio) {
   const float code = areaRatio > 0 ? std::clamp(std::round(32 * (std::log2(areaRatio) + 6)), 0.f, 255.f) : 0;
   return packNormal(normal) | static_cast<std::uint32_t>(code) << 24;
-}
-
-glm::vec3 unpackNormal(std::uint32_t shape) {
-  const float x = static_cast<float>(shape & kMask) * (2 / kSteps) - 1;
-  const float y = static_cast<float>(shape >> 12 & kMask) * (2 / kSteps) - 1;
-  const float z = 1 - std::abs(x) - std::abs(y);
-  const float fold = std::max(-z, 0.f);
-  return glm::normalize(glm::vec3(x - signOf(x) * fold, y - signOf(y) * fold, z));
 }
 
 float unpackAreaRatio(std::uint32_t shape) {

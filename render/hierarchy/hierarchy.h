@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -27,7 +29,14 @@ static_assert(sizeof(Splat) == 24);
 /// those of the surface.
 std::uint32_t packShape(const glm::vec3& normal, float areaRatio);
 std::uint32_t packNormal(const glm::vec3& normal);
-glm::vec3 unpackNormal(std::uint32_t shape);
+inline glm::vec3 unpackNormal(std::uint32_t shape) {
+  constexpr float kStep = 2.f / 4095;
+  const float x = static_cast<float>(shape & 0xfff) * kStep - 1;
+  const float y = static_cast<float>(shape >> 12 & 0xfff) * kStep - 1;
+  const float z = 1 - std::abs(x) - std::abs(y), fold = std::max(-z, 0.f);
+  const glm::vec3 n(x - std::copysign(fold, x), y - std::copysign(fold, y), z);
+  return n * (1 / std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z));
+}
 float unpackAreaRatio(std::uint32_t shape);
 
 /// Area of the surface that a splat stands for, length^2.

@@ -191,16 +191,41 @@ HWY_INLINE void storeTile(const Tile& tile, std::span<const ProjectedSplat> spla
   }
 }
 
+// Depth behind which nothing in the tile is seen; infinite where a pixel is still empty.
+HWY_INLINE float farthestOf(const Tile& tile) {
+  const Floats f;
+  V farthest = hn::Set(f, 0);
+  const int lanes = static_cast<int>(hn::Lanes(f));
+  for (int y = 0; y < tile.height; ++y) {
+    const float* row = tile.depth.data() + y * Tile::kStride;
+    int x = 0;
+    for (; x + lanes <= tile.width; x += lanes) farthest = hn::Max(farthest, hn::LoadU(f, row + x));
+    for (; x < tile.width; ++x) farthest = hn::Max(farthest, hn::Set(f, row[x]));
+  }
+  return hn::GetLane(hn::MaxOfLanes(f, farthest));
+}
+
 template <bool kPerspective>
 HWY_INLINE void drawSplats(Tile& tile, std::span<const ProjectedSplat> splats,
                            std::span<const PixelBox> boxes, std::span<const std::uint32_t> list,
                            const TileOptions& options) {
-  for (const std::uint32_t id : list)
-    findVisible<kPerspective>(tile, splats[id], boxes[id], static_cast<std::int32_t>(id));
+  // Lists run roughly from front to back: what is hidden by all that came before is soon passed over.
+  constexpr std::size_t kBetweenLooks = 64;
+  float farthest = FrameBuffers::kEmpty;
+  for (std::size_t n = 0; n < list.size(); ++n) {
+    if (n % kBetweenLooks == 0 && n > 0) farthest = farthestOf(tile);
+    const ProjectedSplat& s = splats[list[n]];
+    if (s.z - s.radius > farthest) continue;
+    findVisible<kPerspective>(tile, s, boxes[list[n]], static_cast<std::int32_t>(list[n]));
+  }
   if (!options.blends) return takeVisible(tile, splats);
   gatherSeen(tile, splats);
-  for (const std::uint32_t id : list)
-    addAttributes<kPerspective>(tile, splats[id], boxes[id], static_cast<std::int32_t>(id));
+  farthest = farthestOf(tile);
+  for (const std::uint32_t id : list) {
+    const ProjectedSplat& s = splats[id];
+    if (s.z - (1 + kernel::kDepthBand) * s.radius > farthest) continue;
+    addAttributes<kPerspective>(tile, s, boxes[id], static_cast<std::int32_t>(id));
+  }
 }
 
 void drawOne(Tile& tile, std::span<const ProjectedSplat> splats, std::span<const PixelBox> boxes,
