@@ -41,9 +41,18 @@ void GlRenderer::draw([[maybe_unused]] const Hierarchy& hierarchy, const std::ve
                       const View& view, const Appearance& appearance, Accumulate accumulate,
                       const Progress* progress) {
   assert(hierarchy.nodeCount() == store_.nodeCount());
+  list_.set(nodes, store_);
+  drawListed(view, appearance, accumulate, progress);
+}
+
+void GlRenderer::redraw(const Hierarchy&, const std::vector<NodeRange>&) {
+  if (frames_ > 0) drawListed(View(view_), Appearance(appearance_), Accumulate::kStartAnew, nullptr);
+}
+
+void GlRenderer::drawListed(const View& view, const Appearance& appearance, Accumulate accumulate,
+                            const Progress* progress) {
   const gl::FramebufferScope scope;
   const bool isBlended = appearance.mode == SplatMode::kSplats;
-  list_.set(nodes, store_);
   beginFrame(view, appearance, isBlended);
 
   gl::apply({.depthTest = true});
@@ -119,13 +128,11 @@ void GlRenderer::finishFrame(const View& view, const Appearance& appearance, Acc
 
   std::swap(current_, last_);
   view_ = view;
-  background_ = appearance.background;
+  appearance_ = appearance;
 }
 
 void GlRenderer::encode() {
-  Appearance appearance;
-  appearance.background = background_;
-  const FrameBlock block = makeFrameBlock(view_, appearance, false);
+  const FrameBlock block = makeFrameBlock(view_, appearance_, false);
   frameBlock_.write<FrameBlock>(0, std::span(&block, 1));
   frameBlock_.bindUniform(kFrameSlot);
   gl::apply({});

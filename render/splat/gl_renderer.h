@@ -27,6 +27,7 @@ class GlRenderer final : public Renderer {
   void upload(const Hierarchy& hierarchy, const std::vector<NodeRange>& changed) override;
   void draw(const Hierarchy& hierarchy, const std::vector<Index>& nodes, const View& view,
             const Appearance& appearance, Accumulate accumulate, const Progress* progress = nullptr) override;
+  void redraw(const Hierarchy& hierarchy, const std::vector<NodeRange>& changed) override;
   void drawMesh(const SurfaceMesh& mesh, const View& view, const Appearance& appearance,
                 Accumulate accumulate, const Progress* progress = nullptr) override;
   Image image() override;
@@ -37,6 +38,8 @@ class GlRenderer final : public Renderer {
   void present();
 
  private:
+  void drawListed(const View& view, const Appearance& appearance, Accumulate accumulate,
+                  const Progress* progress);
   void beginFrame(const View& view, const Appearance& appearance, bool isBlended);
   void drawSplats(gl::Program& program, const Progress* progress);
   void finishFrame(const View& view, const Appearance& appearance, Accumulate accumulate);
@@ -50,8 +53,8 @@ class GlRenderer final : public Renderer {
   // The frame that is being drawn and the last whole one, which is picked from.
   FrameTargets current_, last_;
   PictureTargets picture_;
-  View view_;  // of the last frame, as the background
-  std::optional<Rgba8> background_;
+  View view_;  // of the last frame, as the appearance
+  Appearance appearance_;
   int frames_ = 0;  // in the mean
 };
 
