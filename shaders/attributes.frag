@@ -4,7 +4,7 @@
 #include "octahedron.glsl"
 #include "footprint.glsl"
 
-flat in Footprint footprint;
+flat in mat3x4 packedFootprint;
 flat in uint node;
 flat in vec3 normal;
 flat in vec3 albedo;
@@ -15,6 +15,7 @@ layout(location = 0) out vec4 colorSum;   // albedo * w, w
 layout(location = 1) out vec3 normalSum;  // normal * w
 
 void main() {
+  Footprint footprint = unpack(packedFootprint);
   float depth;
   float q = distanceIn(footprint, gl_FragCoord.xy, depth);
   if (q > 1) discard;

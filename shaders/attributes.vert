@@ -1,7 +1,7 @@
 #version 450 core
 #include "splat.glsl"
 
-flat out Footprint footprint;
+flat out mat3x4 packedFootprint;
 flat out uint node;
 flat out vec3 normal;
 flat out vec3 albedo;
@@ -9,7 +9,8 @@ flat out vec3 albedo;
 void main() {
   Disc disc = fetchDisc();
   mat2 pxFromDisc;
-  footprint = footprintOf(disc, pxFromDisc);
+  Footprint footprint = footprintOf(disc, pxFromDisc);
+  packedFootprint = pack(footprint);
   node = disc.node;
   normal = disc.normal;
   albedo = albedoOf(unpackUnorm4x8(disc.color));

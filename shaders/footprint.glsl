@@ -8,6 +8,15 @@ struct Footprint {
   float radius;  // world units
 };
 
+// As it passes from corners to fragments: in few registers.
+mat3x4 pack(Footprint f) {
+  return mat3x4(vec4(f.centerPx, f.slope), vec4(f.discFromPx[0], f.discFromPx[1]), vec4(f.depth, f.radius, 0, 0));
+}
+
+Footprint unpack(mat3x4 p) {
+  return Footprint(p[0].xy, mat2(p[1].xy, p[1].zw), p[0].zw, p[2].x, p[2].y);
+}
+
 // Squared distance from the center, 1 at the rim: of the disc or of the least circle in the picture, whichever is less.
 // `depth` is where the pixel's ray meets the disc, kept within the disc's radius about the center.
 float distanceIn(Footprint f, vec2 px, out float depth) {

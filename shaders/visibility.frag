@@ -3,12 +3,13 @@
 #include "frame.glsl"
 #include "footprint.glsl"
 
-flat in Footprint footprint;
+flat in mat3x4 packedFootprint;
 flat in uvec3 splat;
 
 layout(location = 0) out uvec4 visible;
 
 void main() {
+  Footprint footprint = unpack(packedFootprint);
   float depth;
   if (distanceIn(footprint, gl_FragCoord.xy, depth) > 1) discard;
   gl_FragDepth = depthOrder(depth);

@@ -120,6 +120,8 @@ HWY_INLINE void addAttributes(Tile& tile, const ProjectedSplat& s, const Part& p
         }
         float* sum = tile.sums[6].data() + at;
         hn::StoreU(hn::Add(weight, hn::LoadU(f, sum)), f, sum);
+        sum = tile.sums[7].data() + at;
+        hn::StoreU(hn::MulAdd(weight, z, hn::LoadU(f, sum)), f, sum);
       });
 }
 
@@ -142,8 +144,8 @@ HWY_INLINE void takeVisible(Tile& tile, std::span<const ProjectedSplat> splats) 
     for (int at = y * Tile::kStride; at < y * Tile::kStride + tile.width; ++at) {
       if (tile.splat[at] < 0) continue;
       const ProjectedSplat& s = splats[tile.splat[at]];
-      const float values[7] = {s.red, s.green, s.blue, s.nx, s.ny, s.nz, 1};
-      for (int k = 0; k < 7; ++k) tile.sums[k][at] = values[k];
+      const float values[8] = {s.red, s.green, s.blue, s.nx, s.ny, s.nz, 1, tile.depth[at]};
+      for (int k = 0; k < 8; ++k) tile.sums[k][at] = values[k];
     }
   }
 }
@@ -184,9 +186,11 @@ HWY_INLINE void storeTile(const Tile& tile, std::span<const ProjectedSplat> spla
                           FrameBuffers& frame) {
   for (int y = 0; y < tile.height; ++y) {
     const std::size_t from = static_cast<std::size_t>(y) * Tile::kStride, to = frame.at(tile.x, tile.y + y);
-    std::copy_n(tile.depth.data() + from, tile.width, frame.depth.data() + to);
     for (int x = 0; x < tile.width; ++x) {
       const std::int32_t splat = tile.splat[from + x];
+      // The mean depth is smooth where discs meet at an angle.
+      frame.depth[to + x] =
+          splat < 0 ? FrameBuffers::kEmpty : tile.sums[7][from + x] / tile.sums[6][from + x];
       frame.nodes[to + x] = splat < 0 ? FrameBuffers::kNoNode : splats[splat].node;
     }
     shadeRow(tile, y, lit, frame);
