@@ -41,7 +41,7 @@ void CpuRenderer::show(const View& view, const Appearance& appearance, Accumulat
 void CpuRenderer::drawMesh(const SurfaceMesh& mesh, const View& view, const Appearance& appearance,
                            Accumulate accumulate, const Progress* progress) {
   drawTriangles(mesh, view, appearance, triangles_, drawn_, progress);
-  take(drawn_, view, appearance, accumulate);
+  show(view, appearance, accumulate);
 }
 
 Image CpuRenderer::image() {
