@@ -1,6 +1,6 @@
 #include "app/cli/back_end.h"
 
-#include "core/error.h"
+#include "app/cli/command.h"
 #include "render/gl/egl_context.h"
 
 namespace stipple {
@@ -10,15 +10,13 @@ struct BackEnd::Context {
 };
 
 BackEnd::BackEnd(Backend backend) {
-  if (backend != Backend::kCpu) {
-    try {
-      context_ = std::make_unique<Context>();
-    } catch (const IoError&) {
-      if (backend == Backend::kGl) throw;
-      backend = Backend::kCpu;
-    }
+  try {
+    if (backend != Backend::kCpu) context_ = std::make_unique<Context>();
+    renderer_ = makeRenderer(backend);
+  } catch (const IoError& error) {
+    if (backend == Backend::kGl) throw CommandFailure(kFailed, error.what());
+    renderer_ = makeRenderer(Backend::kCpu);
   }
-  renderer_ = makeRenderer(backend);
 }
 
 BackEnd::~BackEnd() = default;

@@ -9,8 +9,8 @@ namespace stipple {
 /// A renderer, with the context that it needs.
 class BackEnd {
  public:
-  /// For kAuto `cpu` where there is no graphics hardware. Throws IoError where `gl` is asked for and cannot
-  /// be had.
+  /// For kAuto `cpu` where there is no graphics hardware. Ends the command with kFailed where `gl` is asked
+  /// for and cannot be had.
   explicit BackEnd(Backend backend);
   ~BackEnd();
   BackEnd(const BackEnd&) = delete;

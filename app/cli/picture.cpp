@@ -37,12 +37,12 @@ std::vector<glm::vec2> jitterOf(int supersample) {
   return shifts;
 }
 
-PictureMaker::PictureMaker(const Scene& scene, const RenderOptions& options, StageSeconds& seconds)
-    : scene_(scene), options_(options), seconds_(seconds), backEnd_(options.backend) {
+PictureMaker::PictureMaker(const Scene& scene, const RenderOptions& options, Renderer& renderer,
+                           StageSeconds& seconds)
+    : scene_(scene), options_(options), renderer_(renderer), seconds_(seconds) {
   const Index nodes = scene.hierarchy.nodeCount();
   if (nodes > 0) {
-    seconds_.measure("upload",
-                     [&] { backEnd_.renderer().upload(scene_.hierarchy, {{.begin = 0, .end = nodes}}); });
+    seconds_.measure("upload", [&] { renderer_.upload(scene_.hierarchy, {{.begin = 0, .end = nodes}}); });
   }
 }
 
@@ -54,7 +54,7 @@ Image PictureMaker::take(const CameraAngles& camera, Progress& progress) {
   }
   return seconds_.measure("draw", [&] {
     drawFrames(view, progress);
-    Image image = backEnd_.renderer().image();
+    Image image = renderer_.image();
     if (!scene_.glyphs.empty()) {
       drawGlyphs(image, depthOf(view, progress), view, scene_.glyphs, kGlyphColor);
     }
@@ -71,10 +71,9 @@ void PictureMaker::drawFrames(const View& view, Progress& progress) {
     shifted.jitterPx = shifts[i];
     const Accumulate accumulate = i == 0 ? Accumulate::kStartAnew : Accumulate::kAddToMean;
     if (options_.drawsTriangles) {
-      backEnd_.renderer().drawMesh(scene_.mesh(), shifted, options_.appearance, accumulate, &progress);
+      renderer_.drawMesh(scene_.mesh(), shifted, options_.appearance, accumulate, &progress);
     } else {
-      backEnd_.renderer().draw(scene_.hierarchy, cut_.nodes, shifted, options_.appearance, accumulate,
-                               &progress);
+      renderer_.draw(scene_.hierarchy, cut_.nodes, shifted, options_.appearance, accumulate, &progress);
     }
   }
 }

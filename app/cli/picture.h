@@ -3,7 +3,6 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "app/cli/back_end.h"
 #include "app/cli/scene.h"
 #include "render/appearance/image.h"
 
@@ -16,12 +15,12 @@ std::vector<glm::vec2> jitterOf(int supersample);
 /// Takes pictures of one scene.
 class PictureMaker {
  public:
-  /// Keeps references. Throws IoError where the back end that is asked for cannot be had.
-  PictureMaker(const Scene& scene, const RenderOptions& options, StageSeconds& seconds);
+  /// Keeps references.
+  PictureMaker(const Scene& scene, const RenderOptions& options, Renderer& renderer, StageSeconds& seconds);
 
   Image take(const CameraAngles& camera, Progress& progress);
 
-  const char* backend() { return backEnd_.renderer().backend(); }
+  const char* backend() const { return renderer_.backend(); }
   /// Of the last picture.
   std::size_t splats() const { return cut_.nodes.size(); }
 
@@ -31,8 +30,8 @@ class PictureMaker {
 
   const Scene& scene_;
   const RenderOptions& options_;
+  Renderer& renderer_;
   StageSeconds& seconds_;
-  BackEnd backEnd_;
   Cut cut_;
 };
 

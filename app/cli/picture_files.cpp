@@ -30,7 +30,7 @@ void writePicture(const std::filesystem::path& path, const Image& image) {
   }
 }
 
-nlohmann::ordered_json describePictures(const Scene& scene, PictureMaker& maker,
+nlohmann::ordered_json describePictures(const Scene& scene, const PictureMaker& maker,
                                         const StageSeconds& seconds) {
   nlohmann::ordered_json json = {{"points", scene.points.size()}, {"splats", maker.splats()}};
   if (maker.splats() == 0) json["triangles"] = scene.points.triangles().size();
@@ -39,7 +39,7 @@ nlohmann::ordered_json describePictures(const Scene& scene, PictureMaker& maker,
   return json;
 }
 
-std::string textOf(PictureMaker& maker, const StageSeconds& seconds) {
+std::string textOf(const PictureMaker& maker, const StageSeconds& seconds) {
   std::string text = fmt::format("{:<11} {}\n", "splats", maker.splats());
   for (const auto& [stage, spent] : seconds.stages()) text += fmt::format("{:<11} {:.3f} s\n", stage, spent);
   return text + fmt::format("{:<11} {}\n", "backend", maker.backend());

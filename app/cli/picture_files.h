@@ -15,7 +15,8 @@ void checkPictureWritable(const std::filesystem::path& path);
 void writePicture(const std::filesystem::path& path, const Image& image);
 
 /// What the commands that draw say about it, in JSON and in words.
-nlohmann::ordered_json describePictures(const Scene& scene, PictureMaker& maker, const StageSeconds& seconds);
-std::string textOf(PictureMaker& maker, const StageSeconds& seconds);
+nlohmann::ordered_json describePictures(const Scene& scene, const PictureMaker& maker,
+                                        const StageSeconds& seconds);
+std::string textOf(const PictureMaker& maker, const StageSeconds& seconds);
 
 }  // namespace stipple

@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/back_end.h"
 #include "app/cli/command.h"
 #include "app/cli/picture.h"
 #include "app/cli/picture_files.h"
@@ -14,11 +15,12 @@ namespace {
 
 Outcome renderPicture(const RenderOptions& options, Progress& progress) {
   checkPictureWritable(options.output);
+  BackEnd backEnd(options.backend);
   StageSeconds seconds;
   const Stopwatch total;
   PartialProgress preparing(progress, 0, 0.7), drawing(progress, 0.7, 1);
   const Scene scene = readScene(options, seconds, preparing);
-  PictureMaker maker(scene, options, seconds);
+  PictureMaker maker(scene, options, backEnd.renderer(), seconds);
   const Image image = maker.take(options.camera, drawing);
   seconds.measure("write", [&] { writePicture(options.output, image); });
   seconds.add("total", total.seconds());

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "app/cli/back_end.h"
 #include "app/cli/command.h"
 #include "app/cli/files.h"
 #include "app/cli/picture.h"
@@ -46,12 +47,13 @@ void makeFolder(const fs::path& folder) {
 
 Outcome turnAround(const TurntableOptions& options, Progress& progress) {
   checkFolderWritable(options.output);
+  BackEnd backEnd(options.backend);
   StageSeconds seconds;
   const Stopwatch total;
   constexpr double kPrepared = 0.3;
   PartialProgress preparing(progress, 0, kPrepared);
   const Scene scene = readScene(options, seconds, preparing);
-  PictureMaker maker(scene, options, seconds);
+  PictureMaker maker(scene, options, backEnd.renderer(), seconds);
   makeFolder(options.output);
   for (int frame = 0; frame < options.frames; ++frame) {
     const auto doneBefore = [&](int f) { return kPrepared + (1 - kPrepared) * f / options.frames; };
