@@ -12,7 +12,7 @@ flat in vec3 albedo;
 layout(binding = 0) uniform usampler2D visibleTexels;
 
 layout(location = 0) out vec4 colorSum;   // albedo * w, w
-layout(location = 1) out vec3 normalSum;  // normal * w
+layout(location = 1) out vec4 normalSum;  // normal * w, pixels behind the visible splat * w
 
 void main() {
   Footprint footprint = unpack(packedFootprint);
@@ -20,12 +20,13 @@ void main() {
   float q = distanceIn(footprint, gl_FragCoord.xy, depth);
   if (q > 1) discard;
   uvec4 visible = texelFetch(visibleTexels, ivec2(gl_FragCoord.xy), 0);
+  float visibleDepth = uintBitsToFloat(visible.w);
   if (visible.x != node) {
     vec3 visibleNormal = fromOctahedron(unpackSnorm2x16(visible.y));
-    bool isBehind = depth > uintBitsToFloat(visible.w) + frame.depthBand * footprint.radius;
+    bool isBehind = depth > visibleDepth + frame.depthBand * footprint.radius;
     if (isBehind || dot(normal, visibleNormal) < frame.normalCosine) discard;
   }
   float w = max((1 - q) * (1 - q), frame.leastWeight);
   colorSum = w * vec4(albedo, 1);
-  normalSum = w * normal;
+  normalSum = w * vec4(normal, (depth - visibleDepth) * pixelsPerUnit(visibleDepth));
 }

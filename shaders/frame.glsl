@@ -29,6 +29,7 @@ layout(std140, binding = 0) uniform Frame {
   uint isTwoSided;
   uint splatMode;          // kSplats, kDiscs, kPoints
   uint isBlended;          // the sums hold the surface, otherwise the visible splat alone
+  float headLight;         // light from the viewer
 } frame;
 
 const uint kSplats = 0u, kDiscs = 1u, kPoints = 2u;

@@ -22,13 +22,21 @@ Surface surfaceAt(ivec2 pixel, uvec4 visible) {
   return Surface(albedoOf(unpackUnorm4x8(visible.z)), fromOctahedron(unpackSnorm2x16(visible.y)));
 }
 
+// The mean depth of what is blended: smooth where discs meet at an angle.
+float depthAt(ivec2 pixel, uvec4 visible) {
+  float depth = uintBitsToFloat(visible.w);
+  if (frame.isBlended == 0) return depth;
+  float behindPx = texelFetch(normalSums, pixel, 0).w / texelFetch(colorSums, pixel, 0).a;
+  return depth + behindPx / pixelsPerUnit(depth);
+}
+
 // How far the neighbor at `offset` lies in front.
 float edgeTowards(ivec2 pixel, ivec2 offset, float depth) {
   ivec2 neighbor = pixel + offset;
   if (any(lessThan(neighbor, ivec2(0))) || any(greaterThanEqual(neighbor, ivec2(frame.sizePx)))) return 0;
   uvec4 visible = texelFetch(visibleTexels, neighbor, 0);
   if (visible.x == kNothing) return 0;
-  float other = uintBitsToFloat(visible.w);
+  float other = depthAt(neighbor, visible);
   float response = frame.isPerspective != 0 ? log2(depth / other) : (depth - other) * frame.focalPx / frame.sizePx.y;
   return max(response, 0);
 }
@@ -41,6 +49,10 @@ float edgeShade(ivec2 pixel, float depth) {
                 edgeTowards(pixel, ivec2(0, reach), depth) + edgeTowards(pixel, ivec2(0, -reach), depth);
   }
   return max(exp(-frame.edgeStrength * response / 8), 0.25);
+}
+
+float shadeOf(vec3 normal) {
+  return frame.ambient + frame.diffuse * max(dot(normal, frame.keyLight), 0) + frame.headLight * max(-normal.z, 0);
 }
 
 vec3 drawBrush(vec3 color, vec3 inView, float depth) {
@@ -56,9 +68,9 @@ void main() {
   result = vec4(0);
   if (visible.x == kNothing) return;
   Surface surface = surfaceAt(pixel, visible);
-  float depth = uintBitsToFloat(visible.w);
+  float depth = depthAt(pixel, visible);
   vec3 color = surface.albedo;
-  if (frame.isLit != 0) color *= frame.ambient + frame.diffuse * max(dot(surface.normal, frame.keyLight), 0);
+  if (frame.isLit != 0) color *= shadeOf(surface.normal);
   if (frame.edgeStrength > 0) color *= edgeShade(pixel, depth);
   if (frame.brushRadius > 0) color = drawBrush(color, fromPixels(gl_FragCoord.xy, depth), depth);
   result = vec4(color, 1);

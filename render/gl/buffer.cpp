@@ -70,6 +70,10 @@ std::size_t largestStorageBlock() {
   return limitOf(GL_MAX_SHADER_STORAGE_BLOCK_SIZE);
 }
 
+int vertexStorageBlocks() {
+  return static_cast<int>(limitOf(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS));
+}
+
 std::size_t storageAlignment() {
   return limitOf(GL_SHADER_STORAGE_BUFFER_OFFSET_ALIGNMENT);
 }

@@ -41,5 +41,7 @@ class Buffer {
 /// Most bytes that a shader sees of one buffer, and what offsets into it are multiples of.
 std::size_t largestStorageBlock();
 std::size_t storageAlignment();
+/// Buffers that a vertex shader reads at once; OpenGL itself promises none.
+int vertexStorageBlocks();
 
 }  // namespace stipple::gl

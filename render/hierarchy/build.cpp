@@ -61,8 +61,9 @@ class LeafFiller {
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);
     }
-    const float extent = leaves_.positions.empty() ? 0 : (high - low).maxCoeff();
-    return std::max(1e-6f * extent, 1e-12f);
+    if (leaves_.positions.empty()) return 0;
+    const float extent = (high - low).maxCoeff(), farthest = high.cwiseMax(-low).maxCoeff();
+    return std::max({1e-6f * extent, 1e-7f * farthest, 1e-12f});
   }
 
   const LeafAttributes& leaves_;

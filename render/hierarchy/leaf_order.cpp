@@ -22,7 +22,7 @@ class MortonSort {
   MortonSort(std::vector<CodedPoint>& points, const Progress* progress)
       : points_(points), progress_(progress) {
     const std::size_t blocks = std::clamp<std::size_t>(points.size() / kLeastBlock, 1, kMostBlocks);
-    block_ = (points.size() + blocks - 1) / blocks;
+    block_ = std::max<std::size_t>(1, (points.size() + blocks - 1) / blocks);
     counts_.resize((points.size() + block_ - 1) / block_);
   }
 

@@ -39,6 +39,7 @@ void setKernelAndLight(FrameBlock& block) {
   block.keyLight = light::kKey;
   block.ambient = light::kAmbient;
   block.diffuse = light::kDiffuse;
+  block.headLight = light::kHead;
 }
 
 }  // namespace

@@ -32,7 +32,8 @@ struct FrameBlock {
   float leastWeight;
   float edgeStrength;  // of the mean response of the neighbors
   std::uint32_t isLit, isTwoSided, splatMode, isBlended;
-  std::array<float, 2> padding;
+  float headLight;
+  float padding;
 };
 static_assert(sizeof(FrameBlock) == 14 * 16);
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "core/error.h"
 #include "render/gl/pipeline.h"
 #include "render/splat/frame_block.h"
 #include "render/splat/mesh_buffers.h"
@@ -31,7 +32,12 @@ GlRenderer::GlRenderer(const GlOptions& options)
       resolve_(options.shaders, "screen.vert", "resolve.frag"),
       encode_(options.shaders, "screen.vert", "encode.frag"),
       frameBlock_(sizeof(FrameBlock)),
-      store_(options.chunkBytes) {}
+      store_(options.chunkBytes) {
+  if (gl::vertexStorageBlocks() < 2) {
+    throw IoError(
+        "this graphics card lets vertex shaders read no storage buffers, and splats are read from two");
+  }
+}
 
 void GlRenderer::upload(const Hierarchy& hierarchy, const std::vector<NodeRange>& changed) {
   store_.upload(hierarchy, changed);
@@ -41,23 +47,33 @@ void GlRenderer::draw([[maybe_unused]] const Hierarchy& hierarchy, const std::ve
                       const View& view, const Appearance& appearance, Accumulate accumulate,
                       const Progress* progress) {
   assert(hierarchy.nodeCount() == store_.nodeCount());
+  next_.set(nodes, store_);
+  drawListed(next_, view, appearance, accumulate, progress);
+  std::swap(list_, next_);
+}
+
+void GlRenderer::redraw(const Hierarchy&, const std::vector<NodeRange>&) {
+  if (frames_ > 0) drawListed(list_, View(view_), Appearance(appearance_), Accumulate::kStartAnew, nullptr);
+}
+
+void GlRenderer::drawListed(const NodeList& list, const View& view, const Appearance& appearance,
+                            Accumulate accumulate, const Progress* progress) {
   const gl::CallersTarget callers;
   const bool isBlended = appearance.mode == SplatMode::kSplats;
-  list_.set(nodes, store_);
   beginFrame(view, appearance, isBlended);
 
   gl::apply({.depth = gl::DepthTest::kNearest});
   current_.visibility.bind();
   current_.visibility.clearColor(0, std::array<std::uint32_t, 4>{kNothing, 0, 0, 0});
   current_.visibility.clearDepth(0);
-  drawSplats(visibility_, progress);
+  drawSplats(visibility_, list, progress);
 
   if (isBlended) {
     gl::apply({.depth = gl::DepthTest::kNotBehind, .blend = gl::Blend::kSum});
     current_.sums.bind();
     for (const int sum : {0, 1}) current_.sums.clearColor(sum, std::array<float, 4>{});
     current_.visible.bind(0);
-    drawSplats(attributes_, progress);
+    drawSplats(attributes_, list, progress);
   }
   finishFrame(view, appearance, accumulate);
 }
@@ -87,14 +103,14 @@ void GlRenderer::beginFrame(const View& view, const Appearance& appearance, bool
   frameBlock_.bindUniform(kFrameSlot);
 }
 
-void GlRenderer::drawSplats(gl::Program& program, const Progress* progress) {
+void GlRenderer::drawSplats(gl::Program& program, const NodeList& list, const Progress* progress) {
   program.use();
   noAttributes_.bind();
-  for (const NodeList::Batch& batch : list_.batches()) {
+  for (const NodeList::Batch& batch : list.batches()) {
     if (progress) progress->throwIfCancelled();
     const gl::Buffer& chunk = store_.chunk(batch.chunk);
     chunk.bindStorage(kSplatSlot, 0, chunk.size());
-    list_.buffer().bindStorage(kNodeSlot, batch.offset, batch.count * sizeof(Index));
+    list.buffer().bindStorage(kNodeSlot, batch.offset, batch.count * sizeof(Index));
     program.setUniform(kFirstNodeLocation, static_cast<Index>(batch.chunk) * store_.nodesPerChunk());
     gl::drawTriangles(batch.count);
   }
@@ -119,13 +135,11 @@ void GlRenderer::finishFrame(const View& view, const Appearance& appearance, Acc
 
   std::swap(current_, last_);
   view_ = view;
-  background_ = appearance.background;
+  appearance_ = appearance;
 }
 
 void GlRenderer::encode() {
-  Appearance appearance;
-  appearance.background = background_;
-  const FrameBlock block = makeFrameBlock(view_, appearance, false);
+  const FrameBlock block = makeFrameBlock(view_, appearance_, false);
   frameBlock_.write<FrameBlock>(0, std::span(&block, 1));
   frameBlock_.bindUniform(kFrameSlot);
   gl::apply({});

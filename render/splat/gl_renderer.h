@@ -27,6 +27,7 @@ class GlRenderer final : public Renderer {
   void upload(const Hierarchy& hierarchy, const std::vector<NodeRange>& changed) override;
   void draw(const Hierarchy& hierarchy, const std::vector<Index>& nodes, const View& view,
             const Appearance& appearance, Accumulate accumulate, const Progress* progress = nullptr) override;
+  void redraw(const Hierarchy& hierarchy, const std::vector<NodeRange>& changed) override;
   void drawMesh(const SurfaceMesh& mesh, const View& view, const Appearance& appearance,
                 Accumulate accumulate, const Progress* progress = nullptr) override;
   Image image() override;
@@ -37,8 +38,10 @@ class GlRenderer final : public Renderer {
   void present();
 
  private:
+  void drawListed(const NodeList& list, const View& view, const Appearance& appearance, Accumulate accumulate,
+                  const Progress* progress);
   void beginFrame(const View& view, const Appearance& appearance, bool isBlended);
-  void drawSplats(gl::Program& program, const Progress* progress);
+  void drawSplats(gl::Program& program, const NodeList& list, const Progress* progress);
   void finishFrame(const View& view, const Appearance& appearance, Accumulate accumulate);
   void encode();
 
@@ -46,12 +49,12 @@ class GlRenderer final : public Renderer {
   gl::VertexArray noAttributes_;
   gl::Buffer frameBlock_;
   SplatStore store_;
-  NodeList list_;
-  // The frame that is being drawn and the last whole one, which is picked from.
-  FrameTargets current_, last_;
+  // Of the last whole frame, which is picked from, and of the one that is being drawn.
+  NodeList list_, next_;
+  FrameTargets last_, current_;
   PictureTargets picture_;
-  View view_;  // of the last frame, as the background
-  std::optional<Rgba8> background_;
+  View view_;  // of the last frame, as the appearance
+  Appearance appearance_;
   int frames_ = 0;  // in the mean
 };
 

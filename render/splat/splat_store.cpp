@@ -43,7 +43,10 @@ void SplatStore::upload(const Hierarchy& hierarchy, const std::vector<NodeRange>
 void NodeList::set(const std::vector<Index>& nodes, const SplatStore& store) {
   batches_.clear();
   std::vector<Index> counts(store.chunkCount());
-  for (const Index node : nodes) ++counts[node / store.nodesPerChunk()];
+  for (const Index node : nodes) {
+    assert(node < store.nodeCount());
+    ++counts[node / store.nodesPerChunk()];
+  }
 
   // Every chunk's nodes begin where a binding may begin.
   const std::size_t alignment = std::max(gl::storageAlignment() / sizeof(Index), std::size_t{1});
