@@ -65,7 +65,12 @@ vec3 linearFromSrgb(vec3 s) {
   return mix(pow((s + 0.055) / 1.055, vec3(2.4)), s / 12.92, lessThanEqual(s, vec3(0.04045)));
 }
 
-// Linear color of a splat or corner (sRGB, share that is selected).
+// A linear color, of which a share is selected.
+vec3 withSelection(vec3 color, float selected) {
+  return mix(color, frame.selectionColor, frame.selectionShare * selected);
+}
+
+// Linear color of a splat (sRGB, share that is selected).
 vec3 albedoOf(vec4 color) {
-  return mix(linearFromSrgb(color.rgb), frame.selectionColor, frame.selectionShare * color.a);
+  return withSelection(linearFromSrgb(color.rgb), color.a);
 }

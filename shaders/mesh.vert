@@ -8,7 +8,7 @@ layout(location = 2) in vec4 color;  // sRGB, share that is selected
 out Corner {
   vec3 inView;
   vec3 normal;
-  vec3 albedo;
+  vec4 color;  // linear, share that is selected
 } result;
 
 out float gl_ClipDistance[1];
@@ -16,7 +16,7 @@ out float gl_ClipDistance[1];
 void main() {
   result.inView = frame.viewFromWorld * (position - frame.eye);
   result.normal = frame.viewFromWorld * normal;
-  result.albedo = albedoOf(color);
+  result.color = vec4(linearFromSrgb(color.rgb), color.a);
   gl_ClipDistance[0] = result.inView.z - frame.nearDepth;
   // w is what perspective divides by; depth is written by the fragment shader.
   float w = frame.isPerspective != 0 ? result.inView.z : 1;

@@ -37,6 +37,7 @@ void apply(const Pipeline& pipeline) {
   }
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  glFrontFace(GL_CCW);
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   glDepthRange(0, 1);
 

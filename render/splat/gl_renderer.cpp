@@ -23,6 +23,12 @@ constexpr int kFirstNodeLocation = 0;
 // First channel of a visible texel: shaders/frame.glsl.
 constexpr std::uint32_t kNothing = 0xffffffff, kTriangle = 0xfffffffe;
 
+glm::vec4 texelOf(const gl::Texture2D& texture, int x, int y) {
+  glm::vec4 texel(0);
+  texture.read(x, y, 1, 1, std::as_writable_bytes(std::span(&texel, 1)));
+  return texel;
+}
+
 }  // namespace
 
 GlRenderer::GlRenderer(const GlOptions& options)
@@ -174,7 +180,11 @@ std::optional<Pick> GlRenderer::pick(int x, int y) {
   std::array<std::uint32_t, 4> texel{};
   last_.visible.read(x, y, 1, 1, std::as_writable_bytes(std::span(texel)));
   if (texel[0] == kNothing || texel[0] == kTriangle) return std::nullopt;
-  const auto depth = std::bit_cast<float>(texel[3]);
+  float depth = std::bit_cast<float>(texel[3]);
+  if (appearance_.mode == SplatMode::kSplats) {
+    // The mean depth of what is blended, as shaders/resolve.frag has it.
+    depth += texelOf(last_.normalSum, x, y).w / texelOf(last_.colorSum, x, y).w / view_.pixelsPerUnit(depth);
+  }
   const glm::vec2 px(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
   return Pick{.node = texel[0], .depth = depth, .position = view_.toWorld(view_.fromPixels(px, depth))};
 }

@@ -29,7 +29,9 @@ TEST_F(GlRendererTest, PicksTheSplatInFront) {
   renderer.upload(hierarchy, scenes::allNodes(hierarchy));
   for (const Projection projection : {Projection::kPerspective, Projection::kOrthographic}) {
     const View view = frameView(kUnit, {.yaw = 0.4f, .pitch = 0.3f, .projection = projection}, 200, 160);
-    drawAll(renderer, hierarchy, view, {});
+    Appearance discs;
+    discs.mode = SplatMode::kDiscs;
+    drawAll(renderer, hierarchy, view, discs);
     int hits = 0;
     for (int y = 0; y < view.height; y += 7) {
       for (int x = 0; x < view.width; x += 7) {

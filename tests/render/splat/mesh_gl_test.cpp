@@ -2,9 +2,11 @@
 #include <cstdlib>
 
 #include "render/appearance/light.h"
+#include "render/splat/cpu_renderer.h"
 #include "render/splat/gl_renderer.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/mesh_scenes.h"
+#include "tests/support/picture_difference.h"
 
 namespace stipple {
 namespace {
@@ -82,6 +84,39 @@ TEST_F(MeshTest, BacksAreDarkWhereLightHasOneSide) {
   }
   EXPECT_NEAR(reds[1], encodeSrgb(light::kAmbient * linearTable()[kColor.r]), 1);
   EXPECT_GT(reds[0], reds[1] + 50);
+}
+
+TEST_F(MeshTest, BothBackEndsDrawTheSamePicture) {
+  scenes::Mesh sphere = scenes::sphereMesh(24, 12, kColor);
+  for (std::size_t i = 0; i < sphere.colors.size(); ++i) {
+    sphere.colors[i] = {static_cast<std::uint8_t>(37 * i), static_cast<std::uint8_t>(91 * i), 120,
+                        static_cast<std::uint8_t>(i % 5 == 0 ? 255 : 0)};
+  }
+  const scenes::Mesh floor = scenes::squareMesh(1000, kColor);
+  SurfaceMesh bare = sphere.view();
+  bare.normals = {};
+  bare.colors = {};
+  GlRenderer gl;
+  CpuRenderer cpu;
+  for (const Projection projection : {Projection::kPerspective, Projection::kOrthographic}) {
+    for (const float zoom : {0.3f, 1.f, 4.f}) {
+      const View view =
+          frameView({}, {.yaw = 0.4f, .pitch = 0.3f, .zoom = zoom, .projection = projection}, 300, 200);
+      for (const bool twoSided : {true, false}) {
+        Appearance appearance;
+        appearance.twoSided = twoSided;
+        appearance.brush = BrushRing{.center = {0, -1, 0}, .radius = 0.4f, .color = {255, 255, 255, 255}};
+        int scene = 0;
+        for (const SurfaceMesh& mesh : {sphere.view(), floor.view(), bare}) {
+          for (Renderer* renderer : {static_cast<Renderer*>(&gl), static_cast<Renderer*>(&cpu)}) {
+            renderer->drawMesh(mesh, view, appearance, Accumulate::kStartAnew);
+          }
+          expectSamePicture("zoom " + std::to_string(zoom) + ", mesh " + std::to_string(scene++), gl.image(),
+                            cpu.image());
+        }
+      }
+    }
+  }
 }
 
 TEST_F(MeshTest, NoTrianglesGiveTheBackground) {
