@@ -14,5 +14,5 @@ void main() {
   node = disc.node;
   normal = disc.normal;
   albedo = albedoOf(unpackUnorm4x8(disc.color));
-  gl_Position = cornerOf(disc, footprint, pxFromDisc);
+  gl_Position = cornerOf(disc, footprint, pxFromDisc, 1 + frame.depthBand);
 }

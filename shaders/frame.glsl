@@ -37,7 +37,7 @@ const uint kSplats = 0u, kDiscs = 1u, kPoints = 2u;
 // The first channel of a visible texel where no splat is: nothing at all, or a triangle.
 const uint kNothing = 0xffffffffu, kTriangle = 0xfffffffeu;
 
-// Falls with depth, in (0, 1]: nearest wins by GL_GREATER, with the relative precision of a float.
+// Falls with depth, in (0, 1]: the nearest is the greatest, with the relative precision of a float.
 float depthOrder(float depth) {
   return clamp(frame.depthScale / (frame.depthShift + max(depth, 0)), 0, 1);
 }

@@ -97,19 +97,22 @@ void boundFootprint(Footprint f, mat2 pxFromDisc, out vec2 longAxis, out vec2 sh
 }
 
 // A corner of the triangle about the footprint, where it falls in the space that is clipped; all three outside where
-// nothing is to be drawn.
-vec4 cornerOf(Disc disc, Footprint f, mat2 pxFromDisc) {
+// nothing is to be drawn. The triangle lies flat, `ahead` radii in front of the center: what is hidden there may be passed
+// over by the depth test before its fragments are shaded.
+vec4 cornerOf(Disc disc, Footprint f, mat2 pxFromDisc, float ahead) {
   if (!(disc.center.z > frame.nearDepth && disc.radius > 0)) return vec4(2, 2, 0, 1);
+  const float kMargin = 1.001;  // rounding
+  float order = min(kMargin * depthOrder(f.depth - ahead * f.radius), 1);
   const vec2 kCorners[3] = vec2[](vec2(2, 0), vec2(-1, 1.7320508), vec2(-1, -1.7320508));  // about the unit circle
   vec2 corner = kCorners[gl_VertexID % 3];
   if (frame.splatMode == kPoints) {
     // Reaches the center of one pixel and of no other.
-    return vec4(clipFromPixels(floor(f.centerPx) + 0.5 + 0.25 * corner), 0, 1);
+    return vec4(clipFromPixels(floor(f.centerPx) + 0.5 + 0.25 * corner), order, 1);
   }
   const float kSteepest = 0.9;  // beyond, the disc all but passes beside the eye and any pixel may see it
-  if (frame.isPerspective != 0 && dot(f.slope, f.slope) > kSteepest * kSteepest) return vec4(1.5 * corner, 0, 1);
+  if (frame.isPerspective != 0 && dot(f.slope, f.slope) > kSteepest * kSteepest) return vec4(1.5 * corner, order, 1);
   vec2 longAxis, shortAxis;
   boundFootprint(f, pxFromDisc, longAxis, shortAxis);
-  const float kMargin = 1.001;  // rounding
-  return vec4(clipFromPixels(f.centerPx + kMargin * (corner.x * longAxis + corner.y * shortAxis)), 0, 1);
+  vec2 offset = kMargin * (corner.x * longAxis + corner.y * shortAxis);
+  return vec4(clipFromPixels(f.centerPx + offset), order, 1);
 }

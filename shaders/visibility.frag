@@ -7,6 +7,7 @@ flat in mat3x4 packedFootprint;
 flat in uvec3 splat;
 
 layout(location = 0) out uvec4 visible;
+layout(depth_less) out float gl_FragDepth;  // behind where the triangle lies
 
 void main() {
   Footprint footprint = unpack(packedFootprint);

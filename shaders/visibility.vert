@@ -10,5 +10,5 @@ void main() {
   Footprint footprint = footprintOf(disc, pxFromDisc);
   packedFootprint = pack(footprint);
   splat = uvec3(disc.node, packSnorm2x16(toOctahedron(disc.normal)), disc.color);
-  gl_Position = cornerOf(disc, footprint, pxFromDisc);
+  gl_Position = cornerOf(disc, footprint, pxFromDisc, 1);
 }

@@ -44,16 +44,19 @@ void Framebuffer::clearDepth(float depth) {
   glClearNamedFramebufferfv(name(), GL_DEPTH, 0, &depth);
 }
 
-FramebufferScope::FramebufferScope() {
+CallersTarget::CallersTarget() {
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw_);
   glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read_);
   glGetIntegerv(GL_VIEWPORT, viewport_.data());
+  glGetIntegerv(GL_CLIP_ORIGIN, &clipOrigin_);
+  glGetIntegerv(GL_CLIP_DEPTH_MODE, &clipDepth_);
 }
 
-FramebufferScope::~FramebufferScope() {
+CallersTarget::~CallersTarget() {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(draw_));
   glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read_));
   glViewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
+  glClipControl(static_cast<GLenum>(clipOrigin_), static_cast<GLenum>(clipDepth_));
 }
 
 void blitFlipped(const Framebuffer& source, int width, int height, unsigned target) {

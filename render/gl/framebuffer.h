@@ -29,19 +29,20 @@ class Framebuffer {
   int width_ = 0, height_ = 0;
 };
 
-/// Puts the framebuffers and the viewport that are bound now back when it ends.
-class FramebufferScope {
+/// Puts the caller's framebuffers, viewport and clipping convention back when it ends.
+class CallersTarget {
  public:
-  FramebufferScope();
-  ~FramebufferScope();
-  FramebufferScope(const FramebufferScope&) = delete;
-  FramebufferScope& operator=(const FramebufferScope&) = delete;
+  CallersTarget();
+  ~CallersTarget();
+  CallersTarget(const CallersTarget&) = delete;
+  CallersTarget& operator=(const CallersTarget&) = delete;
 
   unsigned drawName() const { return static_cast<unsigned>(draw_); }
 
  private:
   int draw_ = 0, read_ = 0;
   std::array<int, 4> viewport_{};
+  int clipOrigin_ = 0, clipDepth_ = 0;
 };
 
 /// Copies the first color attachment into the framebuffer `target`, upside down: its first row comes to the

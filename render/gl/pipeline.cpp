@@ -32,17 +32,17 @@ void apply(const Pipeline& pipeline) {
   for (const GLenum off :
        {GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_POLYGON_OFFSET_FILL, GL_RASTERIZER_DISCARD,
         GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_MASK, GL_COLOR_LOGIC_OP, GL_FRAMEBUFFER_SRGB, GL_DITHER,
-        GL_DEPTH_CLAMP, GL_PRIMITIVE_RESTART}) {
+        GL_DEPTH_CLAMP, GL_PRIMITIVE_RESTART, GL_PRIMITIVE_RESTART_FIXED_INDEX}) {
     glDisable(static_cast<GLenum>(off));
   }
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-  glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   glDepthRange(0, 1);
 
-  enable(GL_DEPTH_TEST, pipeline.depthTest);
-  glDepthMask(GL_TRUE);
-  glDepthFunc(GL_GREATER);
+  enable(GL_DEPTH_TEST, pipeline.depth != DepthTest::kNone);
+  glDepthMask(pipeline.depth == DepthTest::kNearest);
+  glDepthFunc(pipeline.depth == DepthTest::kNearest ? GL_GREATER : GL_GEQUAL);
   applyBlend(pipeline);
   constexpr int kClipDistances = 8;  // as many as every 4.5 context has
   for (int i = 0; i < kClipDistances; ++i) {

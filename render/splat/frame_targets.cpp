@@ -8,7 +8,7 @@ FrameTargets::FrameTargets(int width, int height)
       colorSum(gl::Format::kRgba16F, width, height),
       normalSum(gl::Format::kRgba16F, width, height),
       visibility({&visible}, &depth),
-      sums({&colorSum, &normalSum}),
+      sums({&colorSum, &normalSum}, &depth),
       mesh({&visible, &colorSum, &normalSum}, &depth) {}
 
 PictureTargets::PictureTargets(int width, int height)

@@ -51,18 +51,18 @@ void GlRenderer::redraw(const Hierarchy&, const std::vector<NodeRange>&) {
 
 void GlRenderer::drawListed(const View& view, const Appearance& appearance, Accumulate accumulate,
                             const Progress* progress) {
-  const gl::FramebufferScope scope;
+  const gl::CallersTarget callers;
   const bool isBlended = appearance.mode == SplatMode::kSplats;
   beginFrame(view, appearance, isBlended);
 
-  gl::apply({.depthTest = true});
+  gl::apply({.depth = gl::DepthTest::kNearest});
   current_.visibility.bind();
   current_.visibility.clearColor(0, std::array<std::uint32_t, 4>{kNothing, 0, 0, 0});
   current_.visibility.clearDepth(0);
   drawSplats(visibility_, progress);
 
   if (isBlended) {
-    gl::apply({.blend = gl::Blend::kSum});
+    gl::apply({.depth = gl::DepthTest::kNotBehind, .blend = gl::Blend::kSum});
     current_.sums.bind();
     for (const int sum : {0, 1}) current_.sums.clearColor(sum, std::array<float, 4>{});
     current_.visible.bind(0);
@@ -73,12 +73,12 @@ void GlRenderer::drawListed(const View& view, const Appearance& appearance, Accu
 
 void GlRenderer::drawMesh(const SurfaceMesh& mesh, const View& view, const Appearance& appearance,
                           Accumulate accumulate, const Progress* progress) {
-  const gl::FramebufferScope scope;
+  const gl::CallersTarget callers;
   const MeshBuffers buffers(mesh);
   if (progress) progress->throwIfCancelled();
   beginFrame(view, appearance, true);
 
-  gl::apply({.depthTest = true, .clipDistances = 1});
+  gl::apply({.depth = gl::DepthTest::kNearest, .clipDistances = 1});
   current_.mesh.bind();
   current_.mesh.clearColor(0, std::array<std::uint32_t, 4>{kNothing, 0, 0, 0});
   current_.mesh.clearDepth(0);
@@ -146,7 +146,7 @@ void GlRenderer::encode() {
 Image GlRenderer::image() {
   Image image;
   if (frames_ == 0) return image;
-  const gl::FramebufferScope scope;
+  const gl::CallersTarget callers;
   encode();
   image.width = picture_.width();
   image.height = picture_.height();
@@ -157,9 +157,9 @@ Image GlRenderer::image() {
 
 void GlRenderer::present() {
   if (frames_ == 0) return;
-  const gl::FramebufferScope scope;
+  const gl::CallersTarget callers;
   encode();
-  gl::blitFlipped(picture_.encoding, picture_.width(), picture_.height(), scope.drawName());
+  gl::blitFlipped(picture_.encoding, picture_.width(), picture_.height(), callers.drawName());
 }
 
 std::optional<Pick> GlRenderer::pick(int x, int y) {

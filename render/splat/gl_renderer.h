@@ -16,8 +16,8 @@ struct GlOptions {
   std::size_t chunkBytes = std::size_t{128} << 20;  ///< of the splats' buffers; some drivers allow no more
 };
 
-/// Draws with the OpenGL 4.5 context that is current in every call, destruction included. Leaves framebuffers
-/// and viewport as they were, and no other state.
+/// Draws with the OpenGL 4.5 context that is current in every call, destruction included. Leaves
+/// framebuffers, viewport and clipping convention as they were, and no other state.
 class GlRenderer final : public Renderer {
  public:
   /// Throws IoError where the context lacks something or a shader does not compile.

@@ -24,7 +24,7 @@ TEST_F(FramebufferTest, ClearsEveryAttachmentByItself) {
   const gl::Texture2D color(gl::Format::kRgba32F, 5, 3), ids(gl::Format::kRgba32Ui, 5, 3);
   const gl::Texture2D depth(gl::Format::kDepth32F, 5, 3);
   gl::Framebuffer target({&color, &ids}, &depth);
-  gl::apply({.depthTest = true});
+  gl::apply({.depth = gl::DepthTest::kNearest});
   target.clearColor(0, Pixel{1, 2, 3, 4});
   target.clearColor(1, std::array<std::uint32_t, 4>{0xffffffff, 1, 2, 3});
   target.clearDepth(0.25f);
@@ -37,17 +37,16 @@ TEST_F(FramebufferTest, ClearsEveryAttachmentByItself) {
   EXPECT_EQ(kept, 0.25f);
 }
 
-TEST_F(FramebufferTest, TheCallersFramebufferComesBack) {
+TEST_F(FramebufferTest, TheCallersTargetComesBack) {
   const gl::Texture2D first(gl::Format::kRgba8, 4, 4), second(gl::Format::kRgba8, 2, 2);
-  const gl::Framebuffer callers({&first}), ours({&second});
-  callers.bind();
+  const gl::Framebuffer theirs({&first}), ours({&second});
+  theirs.bind();
   {
-    const gl::FramebufferScope scope;
-    EXPECT_EQ(scope.drawName(), callers.name());
+    const gl::CallersTarget callers;
+    EXPECT_EQ(callers.drawName(), theirs.name());
     ours.bind();
   }
-  const gl::FramebufferScope after;
-  EXPECT_EQ(after.drawName(), callers.name());
+  EXPECT_EQ(gl::CallersTarget().drawName(), theirs.name());
 }
 
 TEST_F(FramebufferTest, ABlitTurnsTheFirstRowToTheTop) {

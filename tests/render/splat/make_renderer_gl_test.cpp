@@ -51,7 +51,7 @@ TEST_F(PresentTest, ShowsThePictureInTheBoundFramebuffer) {
       << "drawing is not presenting";
   renderer.present();
   const Image image = renderer.image();
-  EXPECT_EQ(gl::FramebufferScope().drawName(), target.name());
+  EXPECT_EQ(gl::CallersTarget().drawName(), target.name());
 
   const std::vector<Pixel> shown = pixelsOf(window);  // rows from the bottom
   for (int y = 0; y < view.height; ++y) {
