@@ -30,6 +30,8 @@ layout(std140, binding = 0) uniform Frame {
   uint splatMode;          // kSplats, kDiscs, kPoints
   uint isBlended;          // the sums hold the surface, otherwise the visible splat alone
   float headLight;         // light from the viewer
+  float ringPx;            // width of the line of the brush's ring
+  float ringFill;          // how much the surface inside takes on its color
 } frame;
 
 const uint kSplats = 0u, kDiscs = 1u, kPoints = 2u;

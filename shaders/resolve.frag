@@ -57,8 +57,8 @@ float shadeOf(vec3 normal) {
 
 vec3 drawBrush(vec3 color, vec3 inView, float depth) {
   float distancePx = (distance(inView, frame.brushCenter) - frame.brushRadius) * pixelsPerUnit(depth);
-  float line = clamp(1.25 - abs(distancePx), 0, 1);
-  float fill = distancePx < 0 ? 0.12 : 0;
+  float line = clamp(0.5 * frame.ringPx + 0.5 - abs(distancePx), 0, 1);
+  float fill = distancePx < 0 ? frame.ringFill : 0;
   return mix(color, frame.brushColor, max(line, fill));
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What all back ends and shaders/frame.glsl agree on about the footprint of a splat.
+/// What all back ends and shaders/frame.glsl agree on about how surfaces become pixels.
 namespace stipple::kernel {
 
 /// A disc seen edge-on is turned towards the viewer until its normal makes this cosine with the line of
@@ -17,5 +17,9 @@ inline constexpr float kNormalCosine = 0.5f;
 inline constexpr float kLeastWeight = 1e-4f;
 /// How far selected points take on the color of the selection.
 inline constexpr float kSelectionShare = 0.6f;
+/// Eye-dome lighting: exp(-this * strength * r) for a neighbor that is r picture heights nearer.
+inline constexpr float kEdgeStrength = 0.2f;
+/// Width of the line of the brush's ring, and how much the surface inside takes on its color.
+inline constexpr float kRingPx = 1.5f, kRingFill = 0.12f;
 
 }  // namespace stipple::kernel

@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 
 #include "core/progress.h"
+#include "render/appearance/kernel.h"
 #include "render/appearance/light.h"
 #include "render/raster/edge_factors.h"
 
@@ -14,8 +15,6 @@ namespace stipple {
 namespace {
 
 constexpr std::size_t kRows = 16;
-// Width of the line of the ring and how much the surface inside takes on its color.
-constexpr float kRingPx = 1.5f, kFill = 0.12f;
 
 void drawRing(FrameBuffers& frame, const View& view, const BrushRing& ring, int y, const PixelRect& rect) {
   const std::array<float, 256>& linear = linearTable();
@@ -28,8 +27,8 @@ void drawRing(FrameBuffers& frame, const View& view, const BrushRing& ring, int 
     const glm::vec2 px(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
     const float distance = glm::length(view.fromPixels(px, depth) - center);
     const float off = (distance - ring.radius) * view.pixelsPerUnit(depth);  // pixels
-    const float line = std::clamp(0.5f * kRingPx + 0.5f - std::abs(off), 0.f, 1.f);
-    const float share = std::max(line, off < 0 ? kFill : 0.f);
+    const float line = std::clamp(0.5f * kernel::kRingPx + 0.5f - std::abs(off), 0.f, 1.f);
+    const float share = std::max(line, off < 0 ? kernel::kRingFill : 0.f);
     glm::vec4& light = frame.light[at];
     for (int k = 0; k < 3; ++k) light[k] += share * (color[k] - light[k]);
   }
@@ -65,12 +64,11 @@ void Finisher::finish(FrameBuffers& frame, const View& view, const Appearance& a
 
 void Finisher::finishRow(FrameBuffers& frame, const Appearance& appearance, int y,
                          const PixelRect& rect) const {
-  constexpr float kPerHeight = 0.2f;
   const float* row = depth_.data() + static_cast<std::size_t>(y + kReach) * stride_ + kReach;
   static thread_local std::vector<float> factors;
   factors.resize(static_cast<std::size_t>(rect.x1 - rect.x0) + kEdgePadding);
-  edgeFactors(row + rect.x0, stride_, rect.x1 - rect.x0, kPerHeight * strength_ * appearance.edgeStrength,
-              factors.data());
+  edgeFactors(row + rect.x0, stride_, rect.x1 - rect.x0,
+              kernel::kEdgeStrength * strength_ * appearance.edgeStrength, factors.data());
   for (int x = rect.x0; x < rect.x1; ++x) {
     glm::vec4& light = frame.light[frame.at(x, y)];
     const float factor = factors[x - rect.x0];

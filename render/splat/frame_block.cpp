@@ -7,8 +7,6 @@ namespace stipple {
 
 namespace {
 
-constexpr float kEdgePerHeight = 0.2f;
-
 glm::vec3 linearOf(const Rgba8& color) {
   return {linearTable()[color.r], linearTable()[color.g], linearTable()[color.b]};
 }
@@ -36,6 +34,8 @@ void setKernelAndLight(FrameBlock& block) {
   block.depthBand = kernel::kDepthBand;
   block.normalCosine = kernel::kNormalCosine;
   block.leastWeight = kernel::kLeastWeight;
+  block.ringPx = kernel::kRingPx;
+  block.ringFill = kernel::kRingFill;
   block.keyLight = light::kKey;
   block.ambient = light::kAmbient;
   block.diffuse = light::kDiffuse;
@@ -59,7 +59,7 @@ FrameBlock makeFrameBlock(const View& view, const Appearance& appearance, bool i
     block.background = glm::vec4(linearOf(*appearance.background), 1);
   }
   // One picture height away darkens as much in both projections and at any size of the picture.
-  block.edgeStrength = kEdgePerHeight * static_cast<float>(view.height) * appearance.edgeStrength;
+  block.edgeStrength = kernel::kEdgeStrength * static_cast<float>(view.height) * appearance.edgeStrength;
   block.isLit = appearance.lit;
   block.isTwoSided = appearance.twoSided;
   block.splatMode = static_cast<std::uint32_t>(appearance.mode);

@@ -32,10 +32,10 @@ struct FrameBlock {
   float leastWeight;
   float edgeStrength;  // of the mean response of the neighbors
   std::uint32_t isLit, isTwoSided, splatMode, isBlended;
-  float headLight;
-  float padding;
+  float headLight, ringPx, ringFill;
+  std::array<float, 3> padding;
 };
-static_assert(sizeof(FrameBlock) == 14 * 16);
+static_assert(sizeof(FrameBlock) == 240);
 
 /// `isBlended`: the surface is read from sums, as after the attribute pass, not from the visible splat alone.
 FrameBlock makeFrameBlock(const View& view, const Appearance& appearance, bool isBlended);
