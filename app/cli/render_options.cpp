@@ -160,8 +160,8 @@ void addColorOptions(CLI::App& command, RenderOptions& options) {
       "For numbers (viridis)");
   addText(command, options, "--range", "MIN,MAX", "Numbers at the ends of the colormap (all there are)",
           readRange);
-  addText(command, options, "--background", "COLOR", "none, black, gray, white, #RRGGBB or RED,GREEN,BLUE",
-          readBackground);
+  addText(command, options, "--background", "COLOR",
+          "none, black, gray, white, #RRGGBB or RED,GREEN,BLUE (dark gray)", readBackground);
 }
 
 void addSurfaceOptions(CLI::App& command, RenderOptions& options) {
