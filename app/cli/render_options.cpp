@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "app/cli/command.h"
 
@@ -119,6 +120,18 @@ void addAttribute(CLI::App& command, const char* name, std::string& attribute, c
   });
 }
 
+// CLI11's own range lets NaN pass.
+void addNumber(CLI::App& command, const char* name, float& number, std::pair<double, double> range,
+               const std::string& help) {
+  const auto read = [name, range, &number](const std::string& text) {
+    const auto numbers = parseNumbers<double>(text, ',');
+    if (!numbers || numbers->size() != 1 || (*numbers)[0] < range.first || (*numbers)[0] > range.second)
+      refuse(name, text, fmt::format("a number from {} to {}", range.first, range.second));
+    number = static_cast<float>((*numbers)[0]);
+  };
+  command.add_option_function<std::string>(name, read, help)->type_name("NUMBER");
+}
+
 void addCameraOptions(CLI::App& command, RenderOptions& options) {
   addText(command, options, "--size", "WIDTHxHEIGHT", "Pixels (1280x720)", readSize);
   addText(
@@ -147,8 +160,8 @@ void addColorOptions(CLI::App& command, RenderOptions& options) {
       "For numbers (viridis)");
   addText(command, options, "--range", "MIN,MAX", "Numbers at the ends of the colormap (all there are)",
           readRange);
-  addText(command, options, "--background", "COLOR", "none, black, gray, white, #RRGGBB or RED,GREEN,BLUE",
-          readBackground);
+  addText(command, options, "--background", "COLOR",
+          "none, black, gray, white, #RRGGBB or RED,GREEN,BLUE (dark gray)", readBackground);
 }
 
 void addSurfaceOptions(CLI::App& command, RenderOptions& options) {
@@ -160,8 +173,8 @@ void addSurfaceOptions(CLI::App& command, RenderOptions& options) {
       },
       "Blended splats, plain discs, pixels, or the triangles of the file (splats)");
   addAttribute(command, "--glyphs", options.glyphs, "Draw lines along the vectors of this attribute");
-  command.add_option("--edges", options.appearance.edgeStrength, "Darkening at steps in depth, 0 to 1 (0.6)")
-      ->check(CLI::Range(0.0, 1.0));
+  addNumber(command, "--edges", options.appearance.edgeStrength, {0, 1},
+            fmt::format("Darkening at steps in depth, 0 to 1 ({:.1f})", options.appearance.edgeStrength));
   command.add_flag_callback(
       "--one-sided", [&options] { options.appearance.twoSided = false; },
       "Leave what is seen from behind in the dark");
@@ -172,9 +185,8 @@ void addQualityOptions(CLI::App& command, RenderOptions& options) {
       command, "--backend", {"auto", "cpu", "gl"},
       [&options](std::size_t choice) { options.backend = static_cast<Backend>(choice); },
       "What draws (auto: gl on graphics hardware, otherwise cpu)");
-  command
-      .add_option("--tau", options.tau, fmt::format("Pixels across of the coarsest splats ({})", options.tau))
-      ->check(CLI::Range(0.01, 1000.0));
+  addNumber(command, "--tau", options.tau, {0.01, 1000},
+            fmt::format("Pixels across of the coarsest splats ({})", options.tau));
   command.add_option("--supersample", options.supersample, "N x N samples a pixel (0: 16 spread ones)")
       ->check(CLI::Range(0, kMostSupersampling));
 }

@@ -25,7 +25,7 @@ struct Appearance {
   bool lit = true;            ///< false: colors as they are
   float edgeStrength = 0.6f;  ///< eye-dome lighting, 0: off
   Rgba8 selectionColor{255, 152, 26, 255};
-  std::optional<BrushRing> brush;
+  std::optional<BrushRing> brush = {};
 };
 
 }  // namespace stipple

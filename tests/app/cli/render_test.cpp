@@ -99,7 +99,7 @@ TEST_F(RenderCli, YawTurnsCounterclockwiseSeenFromAbove) {
   expectAt(quarter, Axis::kUp, 100, 10);
   const Image back = renderAxes({"--camera", "-30,0,0.8", "--ortho"});
   expectAt(back, Axis::kRight, 100 + 40 * std::cos(std::numbers::pi / 6), 50);
-  expectAt(back, Axis::kFront, 100 - 20, 50);
+  expectAt(back, Axis::kFront, 100 + 20, 50);
 }
 
 TEST_F(RenderCli, PitchLooksDown) {
@@ -259,6 +259,7 @@ TEST_F(RenderCli, RefusesWrongUseBeforeReading) {
     EXPECT_THAT(refusal({"--background", color}), HasSubstr("#RRGGBB")) << color;
   EXPECT_THAT(refusal({"--surface", "voxels"}), HasSubstr("not one of splats|discs|points|mesh"));
   EXPECT_THAT(refusal({"--edges", "2"}), HasSubstr("--edges"));
+  EXPECT_THAT(refusal({"--edges", "much"}), HasSubstr("'much' is not a number from 0 to 1"));
   for (const char* option : {"--color-by", "--saturation-by", "--highlight", "--glyphs"})
     EXPECT_THAT(refusal({option, ""}), HasSubstr("the name of an attribute is empty")) << option;
   EXPECT_THAT(failWith(2, {"render", path("absent.ply")}), HasSubstr("--output is required"));
