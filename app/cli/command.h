@@ -52,5 +52,7 @@ void addDiscretize(CLI::App& program, Command& chosen);
 void addOperators(CLI::App& program, Command& chosen);
 void addRun(CLI::App& program, Command& chosen);
 void addPlay(CLI::App& program, Command& chosen);
+void addRender(CLI::App& program, Command& chosen);
+void addTurntable(CLI::App& program, Command& chosen);
 
 }  // namespace stipple

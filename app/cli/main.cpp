@@ -80,6 +80,8 @@ int runProgram(int argc, char** argv) {
   addOperators(program, chosen);
   addRun(program, chosen);
   addPlay(program, chosen);
+  addRender(program, chosen);
+  addTurntable(program, chosen);
   program.set_version_flag("--version", "stipple-cli " STIPPLE_VERSION);
   for (CLI::App* command : program.get_subcommands({})) {
     command->set_version_flag("--version", "stipple-cli " STIPPLE_VERSION);

@@ -2,23 +2,20 @@
 
 #include "core/io/losses.h"
 #include "core/io/point_lines.h"
+#include "core/io/row_blocks.h"
 
 namespace stipple {
-
-namespace {
-
-constexpr Index kRowsPerBlock = 1 << 14;
-
-}  // namespace
 
 std::vector<std::string> writeObj(OutputFile& file, const PointSet& points, const WriteOptions&,
                                   Progress& progress) {
   const Attribute* color = findOfType(points, "color", AttributeType::kColor);
   const Attribute* normal = findOfType(points, "normal", AttributeType::kVector3);
+  const std::span<const Triangle> triangles = points.triangles();
   TextBuffer text;
   PointLines lines(points, text);
-  text.append("# written by Stipple\n");
-  for (Index row = 0; row < points.size(); ++row) {
+  RowBlocks rows(file, points.size() + triangles.size(), progress);
+  file.write("# written by Stipple\n");
+  rows.writeLines(points.size(), text, [&](std::size_t row) {
     text.append("v ");
     lines.appendPosition(row);
     if (color) lines.appendFractions(color->column.view<Rgba8>()[row]);
@@ -27,23 +24,15 @@ std::vector<std::string> writeObj(OutputFile& file, const PointSet& points, cons
       lines.appendVector(normal->column.view<Eigen::Vector3f>()[row]);
     }
     text.append('\n');
-    if (row % kRowsPerBlock == 0) {
-      file.write(text.view());
-      text.clear();
-      progress.throwIfCancelled();
-      progress.report(static_cast<double>(row) / points.size(), "writing");
-    }
-  }
-  for (const Triangle& triangle : points.triangles()) {
+  });
+  rows.writeLines(triangles.size(), text, [&](std::size_t row) {
     text.append('f');
-    for (const Index corner : triangle) {
+    for (const Index corner : triangles[row]) {
       text.append(' ').append(corner + 1);
       if (normal) text.append("//").append(corner + 1);
     }
-    file.write(text.append('\n').view());
-    text.clear();
-  }
-  file.write(text.view());
+    text.append('\n');
+  });
   return lossesOf(points, {.attributes = {"color", "normal"}, .triangles = true});
 }
 

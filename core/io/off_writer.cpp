@@ -4,24 +4,21 @@
 
 #include "core/io/losses.h"
 #include "core/io/point_lines.h"
+#include "core/io/row_blocks.h"
 
 namespace stipple {
-
-namespace {
-
-constexpr Index kRowsPerBlock = 1 << 14;
-
-}  // namespace
 
 std::vector<std::string> writeOff(OutputFile& file, const PointSet& points, const WriteOptions&,
                                   Progress& progress) {
   const Attribute* color = findOfType(points, "color", AttributeType::kColor);
   const Attribute* normal = findOfType(points, "normal", AttributeType::kVector3);
+  const std::span<const Triangle> triangles = points.triangles();
   TextBuffer text;
   PointLines lines(points, text);
-  text.append(fmt::format("{}{}OFF\n{} {} 0\n", color ? "C" : "", normal ? "N" : "", points.size(),
-                          points.triangles().size()));
-  for (Index row = 0; row < points.size(); ++row) {
+  RowBlocks rows(file, points.size() + triangles.size(), progress);
+  file.write(fmt::format("{}{}OFF\n{} {} 0\n", color ? "C" : "", normal ? "N" : "", points.size(),
+                         triangles.size()));
+  rows.writeLines(points.size(), text, [&](std::size_t row) {
     lines.appendPosition(row);
     if (normal) lines.appendVector(normal->column.view<Eigen::Vector3f>()[row]);
     if (color) {
@@ -30,20 +27,8 @@ std::vector<std::string> writeOff(OutputFile& file, const PointSet& points, cons
       text.append(' ').append(std::uint32_t{value.a});
     }
     text.append('\n');
-    if (row % kRowsPerBlock == 0) {
-      file.write(text.view());
-      text.clear();
-      progress.throwIfCancelled();
-      progress.report(static_cast<double>(row) / points.size(), "writing");
-    }
-  }
-  for (const Triangle& triangle : points.triangles()) {
-    text.append('3');
-    for (const Index corner : triangle) text.append(' ').append(corner);
-    file.write(text.append('\n').view());
-    text.clear();
-  }
-  file.write(text.view());
+  });
+  rows.writePolygons(triangles, text);
   return lossesOf(points, {.attributes = {"color", "normal"}, .triangles = true, .alpha = true});
 }
 

@@ -12,13 +12,11 @@
 
 #include "core/io/coordinates.h"
 #include "core/io/numbers.h"
-#include "core/io/text_buffer.h"
+#include "core/io/row_blocks.h"
 
 namespace stipple {
 
 namespace {
-
-constexpr std::size_t kRowsPerBlock = 1 << 14;
 
 const char* plyName(ScalarType type) {
   switch (type) {
@@ -132,7 +130,10 @@ ScalarType storedType(const Attribute& attribute) {
 class PlyWriter {
  public:
   PlyWriter(OutputFile& file, const PointSet& points, const WriteOptions& options, Progress& progress)
-      : file_(file), points_(points), ascii_(options.encoding == Encoding::kAscii), progress_(progress) {
+      : file_(file),
+        points_(points),
+        ascii_(options.encoding == Encoding::kAscii),
+        rows_(file, points.size() + points.triangles().size(), progress) {
     if (points.has("normal")) kept_.insert({"nx", "ny", "nz"});
     if (points.has("color")) kept_.insert({"red", "green", "blue", "alpha"});
     addPosition();
@@ -251,9 +252,8 @@ class PlyWriter {
   }
 
   void writeVertices() {
-    std::vector<std::byte> block(std::min<std::size_t>(kRowsPerBlock, points_.size()) * rowBytes_);
-    for (std::size_t begin = 0; begin < points_.size(); begin += kRowsPerBlock) {
-      const std::size_t end = std::min<std::size_t>(begin + kRowsPerBlock, points_.size());
+    std::vector<std::byte> block(std::min<std::size_t>(RowBlocks::kRows, points_.size()) * rowBytes_);
+    rows_.writeBlocks(points_.size(), [&](std::size_t begin, std::size_t end) {
       std::size_t offset = 0;
       for (const Target& target : targets_) {
         target.encode(begin, end, block.data() + offset, rowBytes_);
@@ -265,9 +265,7 @@ class PlyWriter {
       } else {
         file_.write(rows);
       }
-      progress_.throwIfCancelled();
-      progress_.report(static_cast<double>(end) / points_.size(), "writing");
-    }
+    });
   }
 
   void writeAsText(std::span<const std::byte> rows) {
@@ -283,26 +281,21 @@ class PlyWriter {
   }
 
   void writeTriangles() {
-    std::size_t count = 0;
-    for (const Triangle& triangle : points_.triangles()) {
-      if (ascii_) {
-        text_.clear();
-        text_.append("3");
-        for (const Index corner : triangle) text_.append(' ').append(corner);
-        file_.write(text_.append('\n').view());
-      } else {
+    const std::span<const Triangle> triangles = points_.triangles();
+    if (ascii_) return rows_.writePolygons(triangles, text_);
+    rows_.writeBlocks(triangles.size(), [&](std::size_t begin, std::size_t end) {
+      for (const Triangle& triangle : triangles.subspan(begin, end - begin)) {
         std::array<std::byte, 1 + sizeof(Triangle)> row{std::byte{3}};
         std::memcpy(row.data() + 1, triangle.data(), sizeof(Triangle));
         file_.write(row);
       }
-      if (++count % kRowsPerBlock == 0) progress_.throwIfCancelled();
-    }
+    });
   }
 
   OutputFile& file_;
   const PointSet& points_;
   bool ascii_;
-  Progress& progress_;
+  RowBlocks rows_;
   std::vector<Target> targets_;
   std::size_t rowBytes_ = 0;
   std::set<std::string> kept_;  // names that belong to normal and color

@@ -6,7 +6,7 @@
 
 namespace stipple {
 
-void PointLines::appendPosition(Index row) {
+void PointLines::appendPosition(std::size_t row) {
   const Eigen::Vector3f& position = points_.positions()[row];
   const Eigen::Vector3d& origin = points_.origin();
   const bool single = points_.positionFileType() != ScalarType::kFloat64 && origin == Eigen::Vector3d::Zero();

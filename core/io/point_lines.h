@@ -13,7 +13,7 @@ class PointLines {
 
   /// Coordinates of the file, as float where the point set has no origin and floats came in. The first number
   /// has no separator before it.
-  void appendPosition(Index row);
+  void appendPosition(std::size_t row);
   void appendVector(const Eigen::Vector3f& vector);
   /// Red, green, blue as 0 to 255.
   void appendBytes(const Rgba8& color);

@@ -6,19 +6,18 @@
 
 #include "core/io/losses.h"
 #include "core/io/point_lines.h"
+#include "core/io/row_blocks.h"
 
 namespace stipple {
 
 namespace {
-
-constexpr Index kRowsPerBlock = 1 << 14;
 
 // Writes the columns of the attributes in the order given.
 void writeRows(OutputFile& file, const PointSet& points, std::span<const Attribute* const> attributes,
                char separator, Progress& progress) {
   TextBuffer text;
   PointLines lines(points, text, separator);
-  for (Index row = 0; row < points.size(); ++row) {
+  RowBlocks(file, points.size(), progress).writeLines(points.size(), text, [&](std::size_t row) {
     lines.appendPosition(row);
     for (const Attribute* attribute : attributes) {
       std::visit(
@@ -34,14 +33,7 @@ void writeRows(OutputFile& file, const PointSet& points, std::span<const Attribu
           attribute->column.values());
     }
     text.append('\n');
-    if (row % kRowsPerBlock == 0) {
-      file.write(text.view());
-      text.clear();
-      progress.throwIfCancelled();
-      progress.report(static_cast<double>(row) / points.size(), "writing");
-    }
-  }
-  file.write(text.view());
+  });
 }
 
 std::string withoutBlanks(std::string name) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What all back ends and shaders/kernel.glsl agree on about the footprint of a splat.
+/// What all back ends and shaders/frame.glsl agree on about the footprint of a splat.
 namespace stipple::kernel {
 
 /// A disc seen edge-on is turned towards the viewer until its normal makes this cosine with the line of

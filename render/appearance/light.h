@@ -13,12 +13,13 @@ namespace stipple {
 /// down, z forward), intensities linear.
 namespace light {
 inline constexpr glm::vec3 kKey{-0.325357f, -0.542261f,
-                                -0.774659f};  ///< towards the light over the viewer's left shoulder, unit
-inline constexpr float kAmbient = 0.18f, kDiffuse = 0.82f;
+                                -0.774659f};  ///< over the viewer's left shoulder, unit
+/// Shares of light from everywhere, from the key, and from the viewer.
+inline constexpr float kAmbient = 0.16f, kDiffuse = 0.62f, kHead = 0.22f;
 
 /// Factor of the albedo for a unit normal; two-sided light turns normals towards the viewer before.
 inline float shade(const glm::vec3& normal) {
-  return kAmbient + kDiffuse * glm::max(glm::dot(normal, kKey), 0.f);
+  return kAmbient + kDiffuse * glm::max(glm::dot(normal, kKey), 0.f) + kHead * glm::max(-normal.z, 0.f);
 }
 }  // namespace light
 

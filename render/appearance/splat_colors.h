@@ -12,21 +12,23 @@ namespace stipple {
 
 /// Where the colors of points come from.
 struct ColorSource {
-  std::string attribute;  ///< empty: `color` where there is one, else light gray
-  std::string
-      saturationBy;  ///< empty, or a scalar that fades colors to gray where it is low (the paper's Fig. 3)
-  Colormap colormap = Colormap::kViridis;
-  std::optional<std::pair<double, double>> range;  ///< of the colormap; none: see rangeOf
-  std::string selection;  ///< empty, or an attribute: points where it is not 0 are shown selected
+  std::string attribute = {};  ///< empty: `color` where there is one, else light gray
+  /// Empty, or a scalar that fades colors to gray where it is low (the paper's Fig. 3).
+  std::string saturationBy = {};
+  std::optional<Colormap> colormap = {};                ///< none: viridis, or the palette of labels
+  std::optional<std::pair<double, double>> range = {};  ///< of the colormap; none: see rangeOf
+  std::string selection = {};  ///< empty, or an attribute: points where it is not 0 are shown selected
 };
 
-/// Smallest and largest finite value of a scalar attribute; {0, 1} where there is none, never of zero length.
+/// Smallest and largest finite value of a scalar attribute; {0, 1} where no value is finite, never of zero
+/// length. Throws InvalidInput where the attribute is missing or no scalar.
 std::pair<double, double> rangeOf(const PointSet& points, const std::string& attribute);
 
 /// Colors by point, alpha 0 (255 where selected). A color attribute as it is; integer attributes named
 /// `segment` or `label...`, or with at most 4096 distinct values of which none exceeds 2^20, through the
-/// categorical palette (0: gray); other scalars through the colormap, NaN gray; a vector3 as red, green, blue
-/// of its direction. Throws InvalidInput where an attribute is missing or cannot be shown.
+/// palette of labels (0: gray) unless a colormap or a range is given; other scalars through the colormap, NaN
+/// gray; a vector3 as red, green, blue of its direction. Throws InvalidInput where an attribute is missing or
+/// cannot be shown.
 std::vector<Rgba8> colorPoints(const PointSet& points, const ColorSource& source);
 
 }  // namespace stipple

@@ -14,26 +14,32 @@ constexpr float kRim = 0.85f;
 constexpr int kRank = 3;
 
 using Block = std::array<Eigen::Vector3f, kLeavesOfBlock>;
+using Lanes = Eigen::Array<float, kLeavesOfBlock, 1>;
 
-// Median over the points of the squared distance to the third nearest of the others; 0 below four points.
-float squaredSpacing(const Block& x, int count) {
+// Median over the points of the squared distance to the third nearest of the others; 0 below four points. One
+// lane a point: each goes through all others and keeps the four smallest distances, the first of which is its
+// own 0.
+float squaredSpacing(const Block& points, int count) {
   if (count <= kRank) return 0;
-  std::array<float, kLeavesOfBlock> ranked{};
-  for (int i = 0; i < count; ++i) {
-    std::array<float, kRank> nearest;
-    nearest.fill(std::numeric_limits<float>::max());
-    for (int j = 0; j < count; ++j) {
-      if (j == i) continue;
-      float d = (x[i] - x[j]).squaredNorm();
-      for (float& held : nearest) {
-        const float less = std::min(held, d);
-        d = std::max(held, d);
-        held = less;
-      }
-    }
-    ranked[i] = nearest.back();
+  Lanes x, y, z;
+  for (int i = 0; i < static_cast<int>(kLeavesOfBlock); ++i) {
+    const Eigen::Vector3f& p = points[std::min(i, count - 1)];
+    x[i] = p.x();
+    y[i] = p.y();
+    z[i] = p.z();
   }
-  std::nth_element(ranked.begin(), ranked.begin() + count / 2, ranked.begin() + count);
+  std::array<Lanes, kRank + 1> nearest;
+  nearest.fill(Lanes::Constant(std::numeric_limits<float>::max()));
+  for (int j = 0; j < count; ++j) {
+    Lanes d = (x - x[j]).square() + (y - y[j]).square() + (z - z[j]).square();
+    for (Lanes& held : nearest) {
+      const Lanes less = held.min(d);
+      d = held.max(d);
+      held = less;
+    }
+  }
+  Lanes ranked = nearest.back();
+  std::nth_element(ranked.data(), ranked.data() + count / 2, ranked.data() + count);
   return ranked[count / 2];
 }
 

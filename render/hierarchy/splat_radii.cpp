@@ -15,12 +15,21 @@ constexpr std::size_t kGrain = 4096;
 constexpr float kCoverOverlap = 1.15f;
 // Over the root of the area: enough for cells that are nearly round.
 constexpr float kAreaOverlap = 1.05f;
-// An outlier is no larger than this many times the median of its neighbors.
-constexpr float kMostOfNeighbors = 3;
+// A disc is no larger than this many times the median distance of its neighbors to their nearest: random
+// points need twice the mean distance, rings of a lidar far apart are shown as rings.
+constexpr float kMostOfSpacing = 4;
+// At rims and gaps, where a fan is open, just enough to reach its neighbors.
+constexpr float kMostAtRim = 2;
+// And no disc is larger than this many times the disc that nine of ten do not exceed: single points far out.
+constexpr float kMostOfLarge = 4;
+// Ratio of heights over widths of a fan from which it is no surface any more: discs shrink, up to dots for
+// single points above one.
+constexpr float kSteep = 0.6f, kScattered = 0.9f;
 constexpr float kPlausible = 8;
 
 struct SiteEstimate {
-  float cover = 0;  // distance to the farthest corner of the Voronoi cell
+  float cover = 0;    // distance to the farthest corner of the Voronoi cell
+  float nearest = 0;  // distance to the nearest neighbor
   float area = 0;
 };
 
@@ -28,13 +37,26 @@ float circumradius(const Eigen::Vector3f& a, const Eigen::Vector3f& b, float twi
   return a.norm() * b.norm() * (a - b).norm() / (2 * twiceArea);
 }
 
-SiteEstimate measureFan(const Sites& sites, const Fans& fans, Index site) {
-  const std::span<const Index> spokes = fans.of(site);
-  const std::span<const std::uint8_t> flags = fans.flagsOf(site);
+// Root of the mean square of heights above the tangent plane over that of distances in it.
+float steepness(const Sites& sites, const Fans& fans, Index site, const Eigen::Vector3f& normal) {
+  float heights = 0, widths = 0;
+  for (const Index j : fans.of(site)) {
+    const Eigen::Vector3f spoke = sites.positions[j] - sites.positions[site];
+    const float height = spoke.dot(normal);
+    heights += height * height;
+    widths += std::max(spoke.squaredNorm() - height * height, 0.f);
+  }
+  return heights > 0 ? std::sqrt(heights / std::max(widths, 1e-12f * heights)) : 0;
+}
+
+SiteEstimate measureFan(const Sites& sites, const FanSet& set, Index site) {
+  const std::span<const Index> spokes = set.fans.of(site);
+  const std::span<const std::uint8_t> flags = set.fans.flagsOf(site);
   const Eigen::Vector3f& x = sites.positions[site];
   SiteEstimate estimate;
   for (std::size_t s = 0; s < spokes.size(); ++s) {
     const Eigen::Vector3f a = sites.positions[spokes[s]] - x;
+    estimate.nearest = s == 0 ? a.norm() : std::min(estimate.nearest, a.norm());
     if (flags[s] & Fans::kGapAfter) continue;
     const Eigen::Vector3f b = sites.positions[spokes[(s + 1) % spokes.size()]] - x;
     const float twiceArea = a.cross(b).norm(), longest = std::max(a.norm(), b.norm());
@@ -42,23 +64,21 @@ SiteEstimate measureFan(const Sites& sites, const Fans& fans, Index site) {
     estimate.cover = std::max(estimate.cover, std::min(circumradius(a, b, twiceArea), longest));
     estimate.area += twiceArea / 6;
   }
+  const float dot = 0.5f * estimate.nearest;
+  const float steep = steepness(sites, set.fans, site, set.normals[site]);
+  const float share = std::clamp((kScattered - steep) / (kScattered - kSteep), 0.f, 1.f);
+  estimate.cover = std::max(dot + share * (estimate.cover - dot), std::min(dot, estimate.cover));
+  if (!(estimate.cover > 0)) estimate.cover = dot;
   return estimate;
 }
 
-// Sites without a triangle of their own take half the distance to the nearest neighbor.
-std::vector<SiteEstimate> measureFans(const Sites& sites, const Fans& fans, const Progress* progress) {
+std::vector<SiteEstimate> measureFans(const Sites& sites, const FanSet& set, const Progress* progress) {
   std::vector<SiteEstimate> estimates(sites.size());
   parallelFor(
       sites.size(), kGrain,
       [&](std::size_t begin, std::size_t end) {
-        for (auto site = static_cast<Index>(begin); site < end; ++site) {
-          SiteEstimate& estimate = estimates[site] = measureFan(sites, fans, site);
-          if (estimate.cover > 0) continue;
-          float nearest = std::numeric_limits<float>::max();
-          for (const Index j : fans.of(site))
-            nearest = std::min(nearest, (sites.positions[j] - sites.positions[site]).norm());
-          if (!fans.of(site).empty()) estimate.cover = 0.5f * nearest;
-        }
+        for (auto site = static_cast<Index>(begin); site < end; ++site)
+          estimates[site] = measureFan(sites, set, site);
       },
       progress);
   return estimates;
@@ -71,22 +91,27 @@ T medianOf(std::vector<T>& values) {
   return *middle;
 }
 
-// Discs of outliers and of points at wide gaps shrink to a few times what stands around them.
-std::vector<float> limitByNeighbors(const Fans& fans, const std::vector<SiteEstimate>& estimates,
-                                    const Progress* progress) {
+// Discs of outliers and of points at wide gaps shrink to a few times the spacing of what stands around them.
+std::vector<float> limitBySpacing(const Fans& fans, const std::vector<SiteEstimate>& estimates,
+                                  const Progress* progress) {
   std::vector<float> covers(estimates.size());
   parallelFor(
       estimates.size(), kGrain,
       [&](std::size_t begin, std::size_t end) {
         std::vector<float> around;
         for (auto site = static_cast<Index>(begin); site < end; ++site) {
-          around.clear();
-          for (const Index j : fans.of(site)) around.push_back(estimates[j].cover);
-          const float limit = around.empty() ? 0 : kMostOfNeighbors * medianOf(around);
-          covers[site] = limit > 0 ? std::min(estimates[site].cover, limit) : estimates[site].cover;
+          around.assign(1, estimates[site].nearest);
+          for (const Index j : fans.of(site)) around.push_back(estimates[j].nearest);
+          covers[site] = std::min(estimates[site].cover,
+                                  (fans.open[site] ? kMostAtRim : kMostOfSpacing) * medianOf(around));
         }
       },
       progress);
+  std::vector<float> sorted = covers;
+  if (sorted.empty()) return covers;
+  const auto large = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() * 9 / 10);
+  std::nth_element(sorted.begin(), large, sorted.end());
+  for (float& cover : covers) cover = std::min(cover, kMostOfLarge * *large);
   return covers;
 }
 
@@ -141,8 +166,8 @@ std::vector<Eigen::Vector3f> normalsOfFile(const PointSet& points) {
 SurfaceEstimate estimateSurface(const PointSet& points, const Progress* progress) {
   const Sites sites = weldAndOrder(points.positions());
   const FanSet set = buildFans(sites, {}, progress);
-  const std::vector<SiteEstimate> estimates = measureFans(sites, set.fans, progress);
-  const std::vector<float> covers = limitByNeighbors(set.fans, estimates, progress);
+  const std::vector<SiteEstimate> estimates = measureFans(sites, set, progress);
+  const std::vector<float> covers = limitBySpacing(set.fans, estimates, progress);
   const float fallback = fallbackRadius(sites, covers);
 
   SurfaceEstimate surface{std::vector<float>(points.size()), std::vector<float>(points.size()),

@@ -14,6 +14,7 @@ namespace stipple {
 struct PixelBox {
   std::int16_t x0 = 0, y0 = 0, x1 = -1, y1 = -1;
   bool isEmpty() const { return x1 < x0 || y1 < y0; }
+  friend bool operator==(const PixelBox&, const PixelBox&) = default;
 };
 
 /// A splat on the screen. At an offset (dx, dy) in pixels from its center a ray meets its plane at the place

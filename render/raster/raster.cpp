@@ -56,7 +56,7 @@ void Raster::drawTiles(std::span<const std::uint32_t> tiles, FrameBuffers& frame
       [&](std::size_t begin, std::size_t end) {
         const auto tile = std::make_unique_for_overwrite<Tile>();
         for (const std::uint32_t at : tiles.subspan(begin, end - begin)) {
-          const PixelRect rect = rectOf(at, 0, frame);
+          const PixelRect rect = rectOf(at, frame);
           tile->x = rect.x0;
           tile->y = rect.y0;
           tile->width = rect.x1 - rect.x0;
@@ -67,11 +67,65 @@ void Raster::drawTiles(std::span<const std::uint32_t> tiles, FrameBuffers& frame
       progress);
 }
 
-PixelRect Raster::rectOf(std::uint32_t tile, int rim, const FrameBuffers& frame) const {
+PixelRect Raster::rectOf(std::uint32_t tile, const FrameBuffers& frame) const {
   const int x = static_cast<int>(tile) % lists_.columns * Tile::kSize;
   const int y = static_cast<int>(tile) / lists_.columns * Tile::kSize;
-  return {std::max(x - rim, 0), std::max(y - rim, 0), std::min(x + Tile::kSize + rim, frame.width),
-          std::min(y + Tile::kSize + rim, frame.height)};
+  return {x, y, std::min(x + Tile::kSize, frame.width), std::min(y + Tile::kSize, frame.height)};
+}
+
+// Places in the list of drawn nodes of those in the ranges, ascending.
+std::vector<std::uint32_t> Raster::findDrawn(std::span<const NodeRange> changed) const {
+  constexpr int kBlock = 10;  // log2 of the nodes that one flag stands for
+  std::vector<std::uint8_t> isTouched;
+  for (const NodeRange& range : changed) {
+    if (range.begin >= range.end) continue;
+    const std::size_t last = (range.end - 1) >> kBlock;
+    if (isTouched.size() <= last) isTouched.resize(last + 1, 0);
+    std::fill(isTouched.begin() + (range.begin >> kBlock),
+              isTouched.begin() + static_cast<std::ptrdiff_t>(last) + 1, 1);
+  }
+  std::vector<std::uint32_t> places;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const Index node = nodes_[i];
+    if (node >> kBlock >= isTouched.size() || !isTouched[node >> kBlock]) continue;
+    const auto after = std::upper_bound(changed.begin(), changed.end(), node,
+                                        [](Index n, const NodeRange& range) { return n < range.begin; });
+    if (after != changed.begin() && node < std::prev(after)->end)
+      places.push_back(static_cast<std::uint32_t>(i));
+  }
+  return places;
+}
+
+bool Raster::redraw(std::span<const Splat> splats, std::span<const NodeRange> changed, FrameBuffers& frame) {
+  if (frame.width != view_.width || frame.height != view_.height) return false;
+  const std::vector<std::uint32_t> places = findDrawn(changed);
+  std::vector<ProjectedSplat> projected(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::uint32_t place = places[i];
+    PixelBox box;
+    projectSplats(splats, std::span(nodes_).subspan(place, 1), view_, appearance_,
+                  std::span(projected).subspan(i, 1), std::span(&box, 1));
+    const ProjectedSplat &now = projected[i], &before = projected_[place];
+    const bool isSame =
+        box == boxes_[place] && (box.isEmpty() || (now.z == before.z && now.nx == before.nx &&
+                                                   now.ny == before.ny && now.radius == before.radius));
+    if (!isSame) return false;
+  }
+  std::vector<std::uint8_t> isDirty(static_cast<std::size_t>(lists_.columns) * lists_.rows, 0);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    projected_[places[i]] = projected[i];
+    forTilesOf(boxes_[places[i]], Tile::kSize, lists_.columns, [&](int tile) { isDirty[tile] = 1; });
+  }
+  std::vector<std::uint32_t> tiles;
+  for (std::uint32_t tile = 0; tile < isDirty.size(); ++tile) {
+    if (isDirty[tile]) tiles.push_back(tile);
+  }
+  drawTiles(tiles, frame, nullptr);
+  parallelFor(tiles.size(), kTilesAtOnce, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      finisher_.finish(frame, view_, appearance_, rectOf(tiles[i], frame));
+  });
+  return true;
 }
 
 }  // namespace stipple

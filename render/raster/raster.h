@@ -21,13 +21,17 @@ class Raster {
   void draw(std::span<const Splat> splats, std::span<const Index> nodes, const View& view,
             const Appearance& appearance, FrameBuffers& frame, const Progress* progress);
 
-  /// After draw() with a still camera: draws only tiles again that changed splats touch. False, with nothing
-  /// done, where that does not work out (many tiles).
+  /// After draw() of the same nodes: draws only the tiles again that changed colors touch. False, with
+  /// nothing done, where anything but colors changed.
   bool redraw(std::span<const Splat> splats, std::span<const NodeRange> changed, FrameBuffers& frame);
+
+  /// Of the last draw().
+  std::span<const Index> nodes() const { return nodes_; }
 
  private:
   void drawTiles(std::span<const std::uint32_t> tiles, FrameBuffers& frame, const Progress* progress);
-  PixelRect rectOf(std::uint32_t tile, int rim, const FrameBuffers& frame) const;
+  PixelRect rectOf(std::uint32_t tile, const FrameBuffers& frame) const;
+  std::vector<std::uint32_t> findDrawn(std::span<const NodeRange> changed) const;
 
   std::vector<Index> nodes_;
   View view_;

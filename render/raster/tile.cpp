@@ -63,10 +63,9 @@ struct Row {
 // body(row, place in the tile, dx, mask of the pixels that are the splat's) for all pixels of a splat in a
 // tile.
 template <bool kPerspective, class Body>
-HWY_INLINE void forPixels(const Tile& tile, const ProjectedSplat& s, const PixelBox& box, const Body& body) {
+HWY_INLINE void forPixels(const Tile& tile, const ProjectedSplat& s, const Part& part, const Body& body) {
   const Floats f;
   const int lanes = static_cast<int>(hn::Lanes(f));
-  const Part part = partOf(box, tile);
   const float left = static_cast<float>(tile.x) + 0.5f - s.x, top = static_cast<float>(tile.y) + 0.5f - s.y;
   for (int y = part.y0; y <= part.y1; ++y) {
     const Row<kPerspective> row(s, top + static_cast<float>(y));
@@ -79,11 +78,11 @@ HWY_INLINE void forPixels(const Tile& tile, const ProjectedSplat& s, const Pixel
 }
 
 template <bool kPerspective>
-HWY_INLINE void findVisible(Tile& tile, const ProjectedSplat& s, const PixelBox& box, std::int32_t id) {
+HWY_INLINE void findVisible(Tile& tile, const ProjectedSplat& s, const Part& part, std::int32_t id) {
   const Floats f;
   const Ints i;
   forPixels<kPerspective>(
-      tile, s, box, [&](const Row<kPerspective>& row, std::size_t at, V dx, M inside) HWY_ATTR {
+      tile, s, part, [&](const Row<kPerspective>& row, std::size_t at, V dx, M inside) HWY_ATTR {
         const auto [q, z] = row.at(dx);
         const V held = hn::LoadU(f, tile.depth.data() + at);
         const M wins = hn::And(hn::And(inside, hn::Le(q, hn::Set(f, 1))), hn::Lt(z, held));
@@ -95,12 +94,12 @@ HWY_INLINE void findVisible(Tile& tile, const ProjectedSplat& s, const PixelBox&
 }
 
 template <bool kPerspective>
-HWY_INLINE void addAttributes(Tile& tile, const ProjectedSplat& s, const PixelBox& box, std::int32_t id) {
+HWY_INLINE void addAttributes(Tile& tile, const ProjectedSplat& s, const Part& part, std::int32_t id) {
   const Floats f;
   const Ints i;
   const float values[6] = {s.red, s.green, s.blue, s.nx, s.ny, s.nz};
   forPixels<kPerspective>(
-      tile, s, box, [&](const Row<kPerspective>& row, std::size_t at, V dx, M inside) HWY_ATTR {
+      tile, s, part, [&](const Row<kPerspective>& row, std::size_t at, V dx, M inside) HWY_ATTR {
         const auto [q, z] = row.at(dx);
         const V seen = hn::LoadU(f, tile.depth.data() + at);
         const M near = hn::Le(z, hn::Add(seen, hn::Set(f, kernel::kDepthBand * s.radius)));
@@ -121,6 +120,8 @@ HWY_INLINE void addAttributes(Tile& tile, const ProjectedSplat& s, const PixelBo
         }
         float* sum = tile.sums[6].data() + at;
         hn::StoreU(hn::Add(weight, hn::LoadU(f, sum)), f, sum);
+        sum = tile.sums[7].data() + at;
+        hn::StoreU(hn::MulAdd(weight, z, hn::LoadU(f, sum)), f, sum);
       });
 }
 
@@ -143,8 +144,8 @@ HWY_INLINE void takeVisible(Tile& tile, std::span<const ProjectedSplat> splats) 
     for (int at = y * Tile::kStride; at < y * Tile::kStride + tile.width; ++at) {
       if (tile.splat[at] < 0) continue;
       const ProjectedSplat& s = splats[tile.splat[at]];
-      const float values[7] = {s.red, s.green, s.blue, s.nx, s.ny, s.nz, 1};
-      for (int k = 0; k < 7; ++k) tile.sums[k][at] = values[k];
+      const float values[8] = {s.red, s.green, s.blue, s.nx, s.ny, s.nz, 1, tile.depth[at]};
+      for (int k = 0; k < 8; ++k) tile.sums[k][at] = values[k];
     }
   }
 }
@@ -167,8 +168,11 @@ HWY_INLINE void shadeRow(const Tile& tile, int y, bool lit, FrameBuffers& frame)
       const V along =
           hn::MulAdd(nx, hn::Set(f, light::kKey.x),
                      hn::MulAdd(ny, hn::Set(f, light::kKey.y), hn::Mul(nz, hn::Set(f, light::kKey.z))));
-      const V facing = hn::Max(hn::Zero(f), hn::Div(along, hn::Max(length, hn::Set(f, 1e-12f))));
-      shade = hn::MulAdd(hn::Set(f, light::kDiffuse), facing, hn::Set(f, light::kAmbient));
+      const V perLength = hn::Div(hn::Set(f, 1), hn::Max(length, hn::Set(f, 1e-12f)));
+      const V key = hn::Max(hn::Zero(f), hn::Mul(along, perLength));
+      const V head = hn::Max(hn::Zero(f), hn::Neg(hn::Mul(nz, perLength)));
+      shade = hn::MulAdd(hn::Set(f, light::kDiffuse), key, hn::Set(f, light::kAmbient));
+      shade = hn::MulAdd(hn::Set(f, light::kHead), head, shade);
     }
     shade = hn::Mul(shade, scale);
     for (int k = 0; k < 3; ++k) hn::Store(hn::Mul(shade, sum(k)), f, rgb[k] + x);
@@ -182,28 +186,56 @@ HWY_INLINE void storeTile(const Tile& tile, std::span<const ProjectedSplat> spla
                           FrameBuffers& frame) {
   for (int y = 0; y < tile.height; ++y) {
     const std::size_t from = static_cast<std::size_t>(y) * Tile::kStride, to = frame.at(tile.x, tile.y + y);
-    std::copy_n(tile.depth.data() + from, tile.width, frame.depth.data() + to);
     for (int x = 0; x < tile.width; ++x) {
       const std::int32_t splat = tile.splat[from + x];
+      // The mean depth is smooth where discs meet at an angle.
+      frame.depth[to + x] =
+          splat < 0 ? FrameBuffers::kEmpty : tile.sums[7][from + x] / tile.sums[6][from + x];
       frame.nodes[to + x] = splat < 0 ? FrameBuffers::kNoNode : splats[splat].node;
     }
     shadeRow(tile, y, lit, frame);
   }
 }
 
-// Depth behind which nothing in the tile is seen; infinite where a pixel is still empty.
-HWY_INLINE float farthestOf(const Tile& tile) {
-  const Floats f;
-  V farthest = hn::Set(f, 0);
-  const int lanes = static_cast<int>(hn::Lanes(f));
-  for (int y = 0; y < tile.height; ++y) {
-    const float* row = tile.depth.data() + y * Tile::kStride;
-    int x = 0;
-    for (; x + lanes <= tile.width; x += lanes) farthest = hn::Max(farthest, hn::LoadU(f, row + x));
-    for (; x < tile.width; ++x) farthest = hn::Max(farthest, hn::Set(f, row[x]));
+// Depth behind which nothing is seen in each cell of a tile; infinite where a pixel is still empty.
+class Occluders {
+ public:
+  HWY_INLINE Occluders() {
+    for (auto& row : farthest_) std::fill_n(row, kCells, FrameBuffers::kEmpty);
   }
-  return hn::GetLane(hn::MaxOfLanes(f, farthest));
-}
+
+  HWY_INLINE void look(const Tile& tile) {
+    const Floats f;
+    const std::size_t lanes = hn::Lanes(f);
+    for (int row = 0; row * kCell < tile.height; ++row) {
+      for (int column = 0; column * kCell < tile.width; ++column) {
+        V farthest = hn::Zero(f);
+        const std::size_t width = std::min(kCell, tile.width - column * kCell);
+        for (int y = row * kCell; y < std::min((row + 1) * kCell, tile.height); ++y) {
+          const float* depth = tile.depth.data() + y * Tile::kStride + column * kCell;
+          for (std::size_t x = 0; x < width; x += lanes) {
+            const V held = hn::IfThenElseZero(hn::FirstN(f, width - x), hn::LoadU(f, depth + x));
+            farthest = hn::Max(farthest, held);
+          }
+        }
+        farthest_[row][column] = hn::GetLane(hn::MaxOfLanes(f, farthest));
+      }
+    }
+  }
+
+  HWY_INLINE bool hide(const Part& part, float depth) const {
+    for (int row = part.y0 / kCell; row <= part.y1 / kCell; ++row) {
+      for (int column = part.x0 / kCell; column <= part.x1 / kCell; ++column) {
+        if (depth <= farthest_[row][column]) return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  static constexpr int kCell = 8, kCells = Tile::kSize / kCell;
+  float farthest_[kCells][kCells];
+};
 
 template <bool kPerspective>
 HWY_INLINE void drawSplats(Tile& tile, std::span<const ProjectedSplat> splats,
@@ -211,20 +243,22 @@ HWY_INLINE void drawSplats(Tile& tile, std::span<const ProjectedSplat> splats,
                            const TileOptions& options) {
   // Lists run roughly from front to back: what is hidden by all that came before is soon passed over.
   constexpr std::size_t kBetweenLooks = 64;
-  float farthest = FrameBuffers::kEmpty;
+  Occluders occluders;
   for (std::size_t n = 0; n < list.size(); ++n) {
-    if (n % kBetweenLooks == 0 && n > 0) farthest = farthestOf(tile);
+    if (n % kBetweenLooks == 0 && n > 0) occluders.look(tile);
     const ProjectedSplat& s = splats[list[n]];
-    if (s.z - s.radius > farthest) continue;
-    findVisible<kPerspective>(tile, s, boxes[list[n]], static_cast<std::int32_t>(list[n]));
+    const Part part = partOf(boxes[list[n]], tile);
+    if (occluders.hide(part, s.z - s.radius)) continue;
+    findVisible<kPerspective>(tile, s, part, static_cast<std::int32_t>(list[n]));
   }
   if (!options.blends) return takeVisible(tile, splats);
   gatherSeen(tile, splats);
-  farthest = farthestOf(tile);
+  occluders.look(tile);
   for (const std::uint32_t id : list) {
     const ProjectedSplat& s = splats[id];
-    if (s.z - (1 + kernel::kDepthBand) * s.radius > farthest) continue;
-    addAttributes<kPerspective>(tile, s, boxes[id], static_cast<std::int32_t>(id));
+    const Part part = partOf(boxes[id], tile);
+    if (occluders.hide(part, s.z - (1 + kernel::kDepthBand) * s.radius)) continue;
+    addAttributes<kPerspective>(tile, s, part, static_cast<std::int32_t>(id));
   }
 }
 

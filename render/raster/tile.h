@@ -22,7 +22,7 @@ struct Tile {
   alignas(64) Plane depth;
   alignas(64) std::array<std::int32_t, kPixels> splat;  // place in the list of projected splats, -1: none
   alignas(64) std::array<Plane, 3> seen;                // normal of the visible splat
-  alignas(64) std::array<Plane, 7> sums;                // red, green, blue, normal x, y, z, weight
+  alignas(64) std::array<Plane, 8> sums;                // red, green, blue, normal x, y, z, weight, depth
 };
 
 struct TileOptions {

@@ -12,14 +12,6 @@ namespace {
 // Splats that one thread counts; few enough blocks that their counts stay small.
 constexpr std::size_t kLeastBlock = 1 << 14, kMostBlocks = 64;
 
-template <class Body>
-void forTilesOf(const PixelBox& box, int size, int columns, const Body& body) {
-  if (box.isEmpty()) return;
-  for (int row = box.y0 / size; row <= box.y1 / size; ++row) {
-    for (int column = box.x0 / size; column <= box.x1 / size; ++column) body(row * columns + column);
-  }
-}
-
 }  // namespace
 
 void listTiles(std::span<const PixelBox> boxes, int width, int height, int size, TileLists& lists,

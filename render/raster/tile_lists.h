@@ -19,6 +19,15 @@ struct TileLists {
   }
 };
 
+/// body(tile) for every tile that a box touches.
+template <class Body>
+void forTilesOf(const PixelBox& box, int size, int columns, const Body& body) {
+  if (box.isEmpty()) return;
+  for (int row = box.y0 / size; row <= box.y1 / size; ++row) {
+    for (int column = box.x0 / size; column <= box.x1 / size; ++column) body(row * columns + column);
+  }
+}
+
 /// Counting sort of the boxes by tiles of `size` pixels; `lists` keeps its memory from frame to frame.
 void listTiles(std::span<const PixelBox> boxes, int width, int height, int size, TileLists& lists,
                const Progress* progress);

@@ -11,32 +11,41 @@ void CpuRenderer::upload(const Hierarchy&, const std::vector<NodeRange>&) {}
 void CpuRenderer::draw(const Hierarchy& hierarchy, const std::vector<Index>& nodes, const View& view,
                        const Appearance& appearance, Accumulate accumulate, const Progress* progress) {
   raster_.draw(hierarchy.splats(), nodes, view, appearance, drawn_, progress);
-  take(drawn_, view, appearance, accumulate);
+  show(view, appearance, accumulate);
 }
 
-void CpuRenderer::take(FrameBuffers& frame, const View& view, const Appearance& appearance,
-                       Accumulate accumulate) {
+void CpuRenderer::redraw(const Hierarchy& hierarchy, const std::vector<NodeRange>& changed) {
+  frames_ = 1;
+  if (raster_.redraw(hierarchy.splats(), changed, shown_)) return;
+  const std::vector<Index> nodes(raster_.nodes().begin(), raster_.nodes().end());
+  draw(hierarchy, nodes, view_, appearance_, Accumulate::kStartAnew, nullptr);
+}
+
+// The frame that was drawn is complete: it becomes the picture, or part of the mean.
+void CpuRenderer::show(const View& view, const Appearance& appearance, Accumulate accumulate) {
   view_ = view;
-  background_ = appearance.background;
-  const bool adds = accumulate == Accumulate::kAddToMean && frames_ > 0 && shown_.width == frame.width &&
-                    shown_.height == frame.height;
+  appearance_ = appearance;
+  const bool adds = accumulate == Accumulate::kAddToMean && frames_ > 0 && shown_.width == drawn_.width &&
+                    shown_.height == drawn_.height;
   frames_ = adds ? frames_ + 1 : 1;
   if (adds) {
     const float share = 1 / static_cast<float>(frames_);
-    parallelFor(frame.light.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
+    parallelFor(drawn_.light.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        frame.light[i] = shown_.light[i] + share * (frame.light[i] - shown_.light[i]);
+        drawn_.light[i] = shown_.light[i] + share * (drawn_.light[i] - shown_.light[i]);
     });
   }
   std::swap(drawn_, shown_);
 }
 
-void CpuRenderer::drawMesh(const SurfaceMesh&, const View&, const Appearance&, Accumulate, const Progress*) {
-  throw InvalidInput("triangles cannot be drawn by this back end");
+void CpuRenderer::drawMesh(const SurfaceMesh& mesh, const View& view, const Appearance& appearance,
+                           Accumulate accumulate, const Progress* progress) {
+  drawTriangles(mesh, view, appearance, triangles_, drawn_, progress);
+  show(view, appearance, accumulate);
 }
 
 Image CpuRenderer::image() {
-  return encode(shown_, background_);
+  return encode(shown_, appearance_.background);
 }
 
 std::optional<Pick> CpuRenderer::pick(int x, int y) {

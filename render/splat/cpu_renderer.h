@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/raster/raster.h"
+#include "render/raster/triangle_frame.h"
 #include "render/splat/renderer.h"
 
 namespace stipple {
@@ -12,19 +13,21 @@ class CpuRenderer final : public Renderer {
   void upload(const Hierarchy& hierarchy, const std::vector<NodeRange>& changed) override;
   void draw(const Hierarchy& hierarchy, const std::vector<Index>& nodes, const View& view,
             const Appearance& appearance, Accumulate accumulate, const Progress* progress) override;
+  void redraw(const Hierarchy& hierarchy, const std::vector<NodeRange>& changed) override;
   void drawMesh(const SurfaceMesh& mesh, const View& view, const Appearance& appearance,
                 Accumulate accumulate, const Progress* progress) override;
   Image image() override;
   std::optional<Pick> pick(int x, int y) override;
 
  private:
-  void take(FrameBuffers& frame, const View& view, const Appearance& appearance, Accumulate accumulate);
+  void show(const View& view, const Appearance& appearance, Accumulate accumulate);
 
   Raster raster_;
+  MeshLayer triangles_;
   FrameBuffers drawn_, shown_;  // shown: complete; its light is the mean
   int frames_ = 0;
   View view_;
-  std::optional<Rgba8> background_;
+  Appearance appearance_;
 };
 
 }  // namespace stipple

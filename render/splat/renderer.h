@@ -40,7 +40,10 @@ class Renderer {
   virtual void draw(const Hierarchy& hierarchy, const std::vector<Index>& nodes, const View& view,
                     const Appearance& appearance, Accumulate accumulate,
                     const Progress* progress = nullptr) = 0;
-  /// The same for triangles, shaded with the normals of their corners.
+  /// After draw(): the same nodes, view and appearance again, where only what is in `changed` (ascending)
+  /// differs, as under a brush. Starts the mean anew where it was drawn into. To be called after upload().
+  virtual void redraw(const Hierarchy& hierarchy, const std::vector<NodeRange>& changed) = 0;
+  /// The same as draw() for triangles, shaded with the normals of their corners.
   virtual void drawMesh(const SurfaceMesh& mesh, const View& view, const Appearance& appearance,
                         Accumulate accumulate, const Progress* progress = nullptr) = 0;
 

@@ -21,6 +21,8 @@ const std::vector<Package> kPackages = {
     {"find_package(Eigen3", "Eigen3::Eigen", "Eigen/"},
     {"find_package(nanoflann", "nanoflann::nanoflann", "nanoflann.hpp"},
     {"find_package(CGAL", "CGAL::CGAL", "CGAL/"},
+    {"find_package(glm", "glm::glm", "glm/"},
+    {"pkg_check_modules(epoxy", "PkgConfig::epoxy", "epoxy/gl.h"},  // OpenGL
 };
 
 // Rooms of the program, without the tests.

@@ -29,8 +29,9 @@ const std::vector<Arrow> kArrows = {
     {"core", {"core"}},
     {"plugins/api", {"plugins/api", "core"}},
     {"plugins", {"plugins/api", "core"}},  // and its own folder
-    {"render/hierarchy", {"render/hierarchy", "core"}},
-    {"render/raster", {"render/raster", "render/hierarchy", "core"}},
+    {"render/appearance", {"render/appearance", "core"}},
+    {"render/hierarchy", {"render/hierarchy", "render/appearance", "core"}},
+    {"render/raster", {"render/raster", "render/hierarchy", "render/appearance", "core"}},
     {"render/gl", {"render/gl", "core"}},
     {"render", {"render", "core"}},
     {"app/document", {"app/document", "core", "plugins/api", "render/hierarchy"}},

@@ -6,7 +6,8 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::vector<std::string> kCommands = {"info", "convert", "discretize", "operators", "run", "play"};
+const std::vector<std::string> kCommands = {"info", "convert", "discretize", "operators",
+                                            "run",  "play",    "render",     "turntable"};
 
 TEST_F(Cli, HelpAndVersionAreEverywhere) {
   EXPECT_THAT(run({"--version"}).out, StartsWith("stipple-cli "));
@@ -74,7 +75,11 @@ TEST_F(Cli, FilesThatCannotBeReadAreExit3WithOneLine) {
     EXPECT_THAT(failWith(3, {"discretize", file, "--json"}), HasSubstr(file));
     EXPECT_THAT(failWith(3, {"run", "stepper", file, "-o", path("out.ply")}), HasSubstr(file));
     EXPECT_THAT(failWith(3, {"play", recipe, file, "-o", path("out.ply")}), HasSubstr(file));
+    EXPECT_THAT(failWith(3, {"render", file, "-o", path("out.png")}), HasSubstr(file));
+    EXPECT_THAT(failWith(3, {"turntable", file, "-o", path("around")}), HasSubstr(file));
   }
+  EXPECT_FALSE(std::filesystem::exists(path("out.png")));
+  EXPECT_FALSE(std::filesystem::exists(path("around")));
   EXPECT_FALSE(std::filesystem::exists(path("out.ply")));
 }
 
