@@ -47,7 +47,10 @@ struct Foreign {
 };
 const std::vector<Foreign> kForeign = {
     {"Qt", {"Q"}, {"app/window", "app/panels", "tests/gui"}, true},
-    {"GL", {"epoxy/", "GL/", "GLES"}, {"render/gl", "render/splat", "app/window"}, true},
+    {"GL",
+     {"epoxy/", "GL/", "GLES"},
+     {"render/gl", "render/splat", "app/window", "tests/bench/render/naive_points"},
+     true},
     {"oneTBB", {"tbb/", "oneapi/"}, {"core/parallel"}, false},
     {"nanoflann", {"nanoflann"}, {}, false},
     {"CGAL", {"CGAL/"}, {}, false},
