@@ -8,9 +8,7 @@ namespace stipple {
 
 void printPopping(Workbench& bench) {
   const Hierarchy& hierarchy = bench.hierarchy();
-  fmt::print(
-      "change from frame to frame beyond that of the surface, mean of 255; 120 frames, 320 x 180, zoom 1 to "
-      "2 and 1 to 8\n");
+  fmt::print("change from frame to frame beyond that of the surface, mean of 255; 120 frames of 240 x 136\n");
   for (const float lastZoom : {2.f, 6.f}) {
     for (const float tau : {4.f, 8.f}) {
       const ZoomPath path{
