@@ -17,13 +17,20 @@ Footprint unpack(mat3x4 p) {
   return Footprint(p[0].xy, mat2(p[1].xy, p[1].zw), p[0].zw, p[2].x, p[2].y);
 }
 
+// Of the screen-space kernel: discs that are drawn large enough cover pixels by themselves.
+float screenRadiusOf(Footprint f) {
+  float discPx = f.radius * pixelsPerUnit(f.depth);
+  return clamp(frame.screenRadiusPx + frame.smallDiscPx - discPx, frame.leastScreenRadiusPx, frame.screenRadiusPx);
+}
+
 // Squared distance from the center, 1 at the rim: of the disc or of the least circle in the picture, whichever is less.
 // `depth` is where the pixel's ray meets the disc, kept within the disc's radius about the center.
 float distanceIn(Footprint f, vec2 px, out float depth) {
   depth = f.depth;
   if (frame.splatMode == kPoints) return 0;
   vec2 offset = px - f.centerPx;
-  float inScreen = dot(offset, offset) / (frame.screenRadiusPx * frame.screenRadiusPx);
+  float screenRadiusPx = screenRadiusOf(f);
+  float inScreen = dot(offset, offset) / (screenRadiusPx * screenRadiusPx);
   vec2 y = f.discFromPx * offset;
   float inDisc = dot(y, y);
   if (frame.isPerspective != 0) {

@@ -32,6 +32,9 @@ layout(std140, binding = 0) uniform Frame {
   float headLight;         // light from the viewer
   float ringPx;            // width of the line of the brush's ring
   float ringFill;          // how much the surface inside takes on its color
+  float visibleShare;      // up to this distanceIn a disc hides what is behind it
+  float smallDiscPx;       // see screenRadiusOf
+  float leastScreenRadiusPx;
 } frame;
 
 const uint kSplats = 0u, kDiscs = 1u, kPoints = 2u;

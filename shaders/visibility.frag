@@ -12,7 +12,7 @@ layout(depth_less) out float gl_FragDepth;  // behind where the triangle lies
 void main() {
   Footprint footprint = unpack(packedFootprint);
   float depth;
-  if (distanceIn(footprint, gl_FragCoord.xy, depth) > 1) discard;
+  if (distanceIn(footprint, gl_FragCoord.xy, depth) > frame.visibleShare) discard;
   gl_FragDepth = depthOrder(depth);
   visible = uvec4(splat, floatBitsToUint(depth));
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kGrain = 1 << 14;
 // Disc of a leaf of a block over the spacing: random points leave one of a thousand places bare.
-constexpr float kBlockRadius = 1.5f;
+constexpr float kBlockRadius = 1.8f;
 // The same for a radius that came with the points: drawn discs overlap so that they just blend.
 constexpr float kGivenRadius = 1.3f;
 constexpr Rgba8 kGray{200, 200, 200, 0};

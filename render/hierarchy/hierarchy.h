@@ -45,9 +45,12 @@ inline float areaOf(const Splat& splat) {
   return side * side;
 }
 
-/// Radius of the disc of an inner node over the root of its area: a square is covered from .71 on, discs
-/// blend well at half as much again.
-inline constexpr float kRadiusOfArea = 1.05f;
+/// Radius of the disc of an inner node of a level over the root of its area. A square is covered from .71 on
+/// and blends well at 1; blocks of a few random points are less regular. Powers of two that packShape holds
+/// exactly.
+inline float radiusOfArea(int level) {
+  return level == 1 ? 1.2418578f : level == 2 ? 1.0905077f : 1.f;  // 2^(10/32), 2^(4/32)
+}
 
 /// What the cut needs of an inner node, about the center of its splat.
 struct Bound {
@@ -58,7 +61,7 @@ struct Bound {
 /// Splats of all levels in one array: level 0 are the leaves, one a point, in an order that makes every
 /// aligned block of 4^k of them a compact subtree; the parent of node i of a level is node i / 4 of the next,
 /// up to a single root. A node's center, color (in linear light) and normal are the area-weighted means of
-/// its children's; its area is their sum, its radius kRadiusOfArea times the root of that.
+/// its children's; its area is their sum, its radius radiusOfArea times the root of that.
 class Hierarchy {
  public:
   static constexpr int kArity = 4;

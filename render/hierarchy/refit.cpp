@@ -39,6 +39,18 @@ struct Sums {
   const std::array<float, 256>& linear = linearTable();
 };
 
+// The part of Splat::shape that says how a disc of a level overlaps its neighbors; all levels from 3 on are
+// alike.
+const std::array<std::uint32_t, 4>& ratioBits() {
+  static const std::array<std::uint32_t, 4> bits = [] {
+    std::array<std::uint32_t, 4> packed{};
+    for (int level = 1; level < 4; ++level)
+      packed[level] = packShape(glm::vec3(0, 0, 1), 1 / radiusOfArea(level)) & 0xff000000;
+    return packed;
+  }();
+  return bits;
+}
+
 // Cosine of the sum of two angles in [0, pi] given by their cosines, -1 from pi on.
 float cosineOfSum(float a, float b) {
   if (a <= -b) return -1;
@@ -48,7 +60,7 @@ float cosineOfSum(float a, float b) {
 }  // namespace
 
 void aggregate(Hierarchy& hierarchy, Index parent, Index first, Index count) {
-  static const std::uint32_t kInnerRatio = packShape(glm::vec3(0, 0, 1), 1 / kRadiusOfArea) & 0xff000000;
+  const int level = first < hierarchy.leafCount() ? 1 : first < hierarchy.levelBegin(2) ? 2 : 3;
   const std::span<Splat> splats = hierarchy.editSplats();
   std::array<glm::vec3, Hierarchy::kArity> normals;
   Sums sums;
@@ -58,11 +70,11 @@ void aggregate(Hierarchy& hierarchy, Index parent, Index first, Index count) {
   }
   const float scale = 1 / sums.area;
   const glm::vec3 center = scale * sums.center, color = scale * sums.color;
-  const std::uint32_t shape = packNormal(sums.normal) | kInnerRatio;
+  const std::uint32_t shape = packNormal(sums.normal) | ratioBits()[level];
   splats[parent] = {center.x,
                     center.y,
                     center.z,
-                    kRadiusOfArea * std::sqrt(sums.area),
+                    radiusOfArea(level) * std::sqrt(sums.area),
                     shape,
                     {encodeSrgb(color.x), encodeSrgb(color.y), encodeSrgb(color.z),
                      static_cast<std::uint8_t>(scale * sums.selected + 0.5f)}};

@@ -12,14 +12,14 @@ namespace {
 
 constexpr std::size_t kGrain = 4096;
 // Discs that just cover leave seams where they blend.
-constexpr float kCoverOverlap = 1.15f;
+constexpr float kCoverOverlap = 1.25f;
 // Over the root of the area: enough for cells that are nearly round.
 constexpr float kAreaOverlap = 1.05f;
 // A disc is no larger than this many times the median distance of its neighbors to their nearest: random
 // points need twice the mean distance, rings of a lidar far apart are shown as rings.
 constexpr float kMostOfSpacing = 4;
 // At rims and gaps, where a fan is open, just enough to reach its neighbors.
-constexpr float kMostAtRim = 2;
+constexpr float kMostAtRim = 3;
 // And no disc is larger than this many times the disc that nine of ten do not exceed: single points far out.
 constexpr float kMostOfLarge = 4;
 // Ratio of heights over widths of a fan from which it is no surface any more: discs shrink, up to dots for

@@ -59,12 +59,20 @@ class Projector {
     const float pixels = view_.pixelsPerUnit(c.z);
     out.x = center_.x + pixels * c.x;
     out.y = center_.y + pixels * c.y;
+    const float screenRadius = screenRadiusOf(splat.radius * pixels);
+    out.perScreen = 1 / (screenRadius * screenRadius);
     if (appearance_.mode == SplatMode::kPoints) return asPoint(out);
     if (cosine < kernel::kLeastCosine) n = glm::normalize(turned(n, cosine, towards));
     return perspective ? asPerspective(c, n, out) : asOrthographic(n, out);
   }
 
  private:
+  // Discs that are drawn large enough cover pixels by themselves.
+  static float screenRadiusOf(float discPx) {
+    return std::clamp(kernel::kScreenRadiusPx + kernel::kSmallDiscPx - discPx, kernel::kLeastScreenRadiusPx,
+                      kernel::kScreenRadiusPx);
+  }
+
   void setColor(const Rgba8& color, ProjectedSplat& out) const {
     out.red = linear_[color.r];
     out.green = linear_[color.g];

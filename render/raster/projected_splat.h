@@ -24,6 +24,7 @@ struct ProjectedSplat {
   float x = 0, y = 0;  // center, pixels
   float a0 = 0, b0 = 0, a1 = 0, b1 = 0;
   float u0 = 0, u1 = 0, u2 = 0;
+  float perScreen = 0;                 // one over the squared radius of the screen-space kernel, 1 / pixels^2
   float z = 0, radius = 0;             // of the center, world units
   float nx = 0, ny = 0, nz = -1;       // unit, view space, towards the viewer
   float red = 0, green = 0, blue = 0;  // linear

@@ -47,11 +47,12 @@ struct Row {
     V q = hn::MulAdd(l0, l0, hn::Mul(l1, l1)), z = depth;
     if (kPerspective) {
       z = hn::Div(hn::Set(f, 1), depth);
-      q = hn::Mul(q, hn::Mul(z, z));
-      z = hn::IfThenElse(hn::Gt(depth, hn::Zero(f)), z, hn::Set(f, s.z));
+      // Where the ray meets the plane behind the eye there is no disc.
+      const M isBefore = hn::Gt(depth, hn::Zero(f));
+      q = hn::IfThenElse(isBefore, hn::Mul(q, hn::Mul(z, z)), hn::Set(f, FrameBuffers::kEmpty));
+      z = hn::IfThenElse(isBefore, z, hn::Set(f, s.z));
     }
-    constexpr float kPerRadius = 1 / (kernel::kScreenRadiusPx * kernel::kScreenRadiusPx);
-    const V screen = hn::Mul(hn::MulAdd(dx, dx, hn::Set(f, dy2)), hn::Set(f, kPerRadius));
+    const V screen = hn::Mul(hn::MulAdd(dx, dx, hn::Set(f, dy2)), hn::Set(f, s.perScreen));
     z = hn::Min(hn::Max(z, hn::Set(f, s.z - s.radius)), hn::Set(f, s.z + s.radius));
     return {hn::Min(q, screen), z};
   }
@@ -85,7 +86,8 @@ HWY_INLINE void findVisible(Tile& tile, const ProjectedSplat& s, const Part& par
       tile, s, part, [&](const Row<kPerspective>& row, std::size_t at, V dx, M inside) HWY_ATTR {
         const auto [q, z] = row.at(dx);
         const V held = hn::LoadU(f, tile.depth.data() + at);
-        const M wins = hn::And(hn::And(inside, hn::Le(q, hn::Set(f, 1))), hn::Lt(z, held));
+        const M wins =
+            hn::And(hn::And(inside, hn::Le(q, hn::Set(f, kernel::kVisibleShare))), hn::Lt(z, held));
         if (hn::AllFalse(f, wins)) return;
         hn::StoreU(hn::IfThenElse(wins, z, held), f, tile.depth.data() + at);
         const auto ids = hn::LoadU(i, tile.splat.data() + at);

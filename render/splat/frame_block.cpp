@@ -31,6 +31,9 @@ void setView(FrameBlock& block, const View& view) {
 void setKernelAndLight(FrameBlock& block) {
   block.leastCosine = kernel::kLeastCosine;
   block.screenRadiusPx = kernel::kScreenRadiusPx;
+  block.smallDiscPx = kernel::kSmallDiscPx;
+  block.leastScreenRadiusPx = kernel::kLeastScreenRadiusPx;
+  block.visibleShare = kernel::kVisibleShare;
   block.depthBand = kernel::kDepthBand;
   block.normalCosine = kernel::kNormalCosine;
   block.leastWeight = kernel::kLeastWeight;

@@ -33,7 +33,7 @@ struct FrameBlock {
   float edgeStrength;  // of the mean response of the neighbors
   std::uint32_t isLit, isTwoSided, splatMode, isBlended;
   float headLight, ringPx, ringFill;
-  std::array<float, 3> padding;
+  float visibleShare, smallDiscPx, leastScreenRadiusPx;
 };
 static_assert(sizeof(FrameBlock) == 240);
 

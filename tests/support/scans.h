@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include "render/hierarchy/hierarchy.h"
@@ -14,6 +15,7 @@ struct ScannedMesh {
   const char* path;
 };
 const std::vector<ScannedMesh>& scannedMeshes();
+const char* pathOfScan(std::string_view name);
 
 /// The triangles of a file as the truth, and splats of its points alone.
 struct MeshSubject {
@@ -23,5 +25,9 @@ struct MeshSubject {
   float spacing = 0;   ///< root of the area a point stands for
 };
 MeshSubject loadMesh(const std::filesystem::path& path);
+
+/// Radii, areas and missing normals from local fans. `normals` may be empty.
+Hierarchy buildByFans(const std::vector<Eigen::Vector3f>& positions,
+                      const std::vector<Eigen::Vector3f>& normals, const std::vector<Rgba8>& colors);
 
 }  // namespace stipple

@@ -3,7 +3,10 @@
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat4x4.hpp>
 
@@ -22,12 +25,14 @@ layout(location = 2) in vec4 color;
 uniform mat4 clipFromWorld;
 uniform vec3 eye;
 uniform vec3 key;  // world
-uniform vec2 light;  // ambient, diffuse
+uniform vec3 forward;
+uniform vec3 light;  // ambient, diffuse, at the viewer
 flat out vec4 shaded;
 void main() {
   gl_Position = clipFromWorld * vec4(position, 1);
   float turned = dot(normal, position - eye) > 0 ? -1 : 1;
-  float intensity = light.x + light.y * max(turned * dot(normal, key), 0);
+  vec3 n = turned * normal;
+  float intensity = light.x + light.y * max(dot(n, key), 0) + light.z * max(-dot(n, forward), 0);
   vec3 albedo = color.rgb * (color.rgb * (color.rgb * 0.305306011 + 0.682171111) + 0.012522878);
   vec3 l = albedo * intensity, a = sqrt(l), b = sqrt(a), c = sqrt(b);
   shaded = vec4(0.662002687 * a + 0.684122060 * b - 0.323583601 * c - 0.0225411470 * l, 1);
@@ -39,6 +44,17 @@ flat in vec4 shaded;
 out vec4 pixel;
 void main() { pixel = shaded; }
 )";
+
+/// The shader above repeats light::shade: a baseline in another light would lose decibels for nothing.
+void requireSameLight() {
+  for (const glm::vec3& direction : {glm::vec3(0, 0, -1), glm::vec3(-1, -2, -2), glm::vec3(2, -1, -1)}) {
+    const glm::vec3 n = glm::normalize(direction);
+    const float here = light::kAmbient + light::kDiffuse * std::max(glm::dot(n, light::kKey), 0.f) +
+                       light::kHead * std::max(-n.z, 0.f);
+    if (std::abs(here - light::shade(n)) > 1e-5f)
+      throw IoError("naive points are lit by another model than ours");
+  }
+}
 
 struct Vertex {
   Eigen::Vector3f position, normal;
@@ -173,6 +189,7 @@ struct NaivePoints::Buffer {
 
 NaivePoints::NaivePoints(const scenes::SurfaceSamples& samples, std::span<const Index> order)
     : context_(Context::shared()) {
+  requireSameLight();
   std::vector<Vertex> points(samples.positions.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::size_t point = order.empty() ? i : order[i];
@@ -186,7 +203,8 @@ NaivePoints::~NaivePoints() = default;
 void NaivePoints::draw(const View& view, const Rgba8& background) {
   context_->resize(view.width, view.height);
   const GLuint program = context_->program;
-  const glm::vec3 key = glm::transpose(view.viewFromWorld) * light::kKey;
+  const glm::mat3 worldFromView = glm::transpose(view.viewFromWorld);
+  const glm::vec3 key = worldFromView * light::kKey, forward = worldFromView[2];
   glBindFramebuffer(GL_FRAMEBUFFER, context_->frame);
   glViewport(0, 0, view.width, view.height);
   glEnable(GL_DEPTH_TEST);
@@ -198,7 +216,8 @@ void NaivePoints::draw(const View& view, const Rgba8& background) {
                      glm::value_ptr(clipFromWorld(view)));
   glUniform3fv(glGetUniformLocation(program, "eye"), 1, glm::value_ptr(view.eye));
   glUniform3fv(glGetUniformLocation(program, "key"), 1, glm::value_ptr(key));
-  glUniform2f(glGetUniformLocation(program, "light"), light::kAmbient, light::kDiffuse);
+  glUniform3fv(glGetUniformLocation(program, "forward"), 1, glm::value_ptr(forward));
+  glUniform3f(glGetUniformLocation(program, "light"), light::kAmbient, light::kDiffuse, light::kHead);
   glBindVertexArray(buffer_->array);
   glPointSize(1);
   glDrawArrays(GL_POINTS, 0, buffer_->count);

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "render/appearance/light.h"
+#include "render/hierarchy/splat_radii.h"
 #include "tests/bench/render/naive_points.h"
 #include "tests/bench/render/workbench.h"
 #include "tests/support/sampled_hierarchy.h"
@@ -11,6 +12,8 @@
 namespace stipple {
 
 namespace {
+
+constexpr Index kMostFans = 1'000'000;  // larger ones take minutes
 
 struct Case {
   const scenes::Scene& scene;
@@ -82,6 +85,11 @@ void printCase(Workbench& bench, const Case& c) {
   const PictureErrors naiveErrors = comparePictures(c.reference, naive.picture(), kNoDepth);
   printRow(c, "naive", naiveErrors, naiveErrors.psnr);
 
+  // What the surface itself shows through the centers of the pixels: the limit of a picture without a filter.
+  const ReferencePicture exact = castPicture(c.scene.surface, c.view, bench.appearance, 1);
+  printRow(c, "exact, a ray a pixel", comparePictures(c.reference, {exact.image, exact.depth}, kNoDepth),
+           naiveErrors.psnr);
+
   LeafAttributes leaves = leavesOf(c.samples);
   const auto draw = [&](const char* origin) {
     const Hierarchy hierarchy = buildHierarchy(leaves, LeafOrder::kKd);
@@ -93,12 +101,14 @@ void printCase(Workbench& bench, const Case& c) {
     printRow(c, fmt::format("tau 3 x 16 {}", origin), drawOnce(bench, c, hierarchy, 3, 16), naiveErrors.psnr);
   };
   draw("blocks");
-  // The area of each point known, discs as large as those of a uniform sampling.
-  const std::vector<float> areas(c.samples.positions.size(), c.spacing() * c.spacing());
-  const std::vector<float> radii(c.samples.positions.size(), 1.3f * c.spacing());
-  leaves.areas = areas;
-  leaves.radii = radii;
-  draw("known areas");
+  if (c.samples.positions.size() <= kMostFans) {
+    PointSet points(c.samples.positions);
+    points.set("normal", c.samples.normals);
+    const SurfaceEstimate estimate = estimateSurface(points);
+    leaves.radii = estimate.radii;
+    leaves.areas = estimate.areas;
+    draw("fans");
+  }
   const NormalErrors normals = compareNormals(bench, c);
   fmt::print("{:<12} {:>9} normals at tau 3: mean {:.2f} degrees, 99 % within {:.2f}\n", c.scene.name,
              c.samples.positions.size(), normals.mean, normals.worstHundredth);

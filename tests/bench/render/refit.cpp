@@ -36,12 +36,21 @@ void paint(Hierarchy& hierarchy, std::span<const Index> slots, int round) {
     hierarchy.editSplats()[slot].color = {static_cast<std::uint8_t>(40 * round), 90, 200, 0};
 }
 
-void printDab(Workbench& bench, const std::vector<Index>& slots, float tau) {
+/// From the touch of a brush to the picture: the whole of it with a new cut, or the tiles that differ.
+enum class After { kCutAndDraw, kRedraw };
+
+void printDab(Workbench& bench, const std::vector<Index>& slots, float tau, After after) {
   Hierarchy& hierarchy = bench.hierarchy();
   CutMemory memory;
   const View view = bench.view();
   Times whole, refitting, drawing;
   std::size_t splats = 0;
+  const auto cutAndDraw = [&] {
+    const Cut cut = selectCut(hierarchy, view, {.tau = tau}, &memory);
+    bench.renderer.draw(hierarchy, cut.nodes, view, bench.appearance, Accumulate::kStartAnew, nullptr);
+    splats = cut.nodes.size();
+  };
+  cutAndDraw();
   for (int round = -1; round < 2 * bench.options.repetitions; ++round) {
     if (round == 0) whole = refitting = drawing = {};
     const Stopwatch watch;
@@ -50,18 +59,21 @@ void printDab(Workbench& bench, const std::vector<Index>& slots, float tau) {
     const std::vector<NodeRange> changed = refit(hierarchy, slots);
     refitting.add(refitWatch);
     bench.renderer.upload(hierarchy, changed);
-    const Cut cut = selectCut(hierarchy, view, {.tau = tau}, &memory);
     const Stopwatch drawWatch;
-    bench.renderer.draw(hierarchy, cut.nodes, view, bench.appearance, Accumulate::kStartAnew, nullptr);
+    if (after == After::kRedraw) {
+      bench.renderer.redraw(hierarchy, changed);
+    } else {
+      cutAndDraw();
+    }
     drawing.add(drawWatch);
     const Image image = bench.renderer.image();
     whole.add(watch);
-    splats = cut.nodes.size();
   }
   fmt::print(
-      "dab of {} points to pixels at tau {} ({} splats): least {:.1f}, median {:.1f} ms; refit {:.2f}, draw "
-      "{:.1f}\n",
-      slots.size(), tau, splats, whole.least(), whole.median(), refitting.median(), drawing.median());
+      "dab of {} points to pixels, {}, tau {} ({} splats): least {:.1f}, median {:.1f} ms ({:.1f} cpu); "
+      "refit {:.2f}, {:.1f}\n",
+      slots.size(), after == After::kRedraw ? "redraw" : "cut and draw", tau, splats, whole.least(),
+      whole.median(), whole.medianCpu(), refitting.median(), drawing.median());
 }
 
 }  // namespace
@@ -88,7 +100,10 @@ void printRefit(Workbench& bench) {
   measure("anywhere", slotsAnywhere(hierarchy, touched));
   const std::vector<Splat> before(hierarchy.splats().begin(),
                                   hierarchy.splats().begin() + hierarchy.leafCount());
-  for (const float tau : {3.f, 4.f, 6.f}) printDab(bench, dab, tau);
+  for (const float tau : {3.f, 4.f, 6.f}) {
+    printDab(bench, dab, tau, After::kCutAndDraw);
+    printDab(bench, dab, tau, After::kRedraw);
+  }
   std::ranges::copy(before, hierarchy.editSplats().begin());
   refitAll(hierarchy);
 }

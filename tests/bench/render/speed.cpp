@@ -134,7 +134,8 @@ void printConvergence(Workbench& bench) {
 
 void printSpeed(Workbench& bench) {
   std::vector<Index> morton;
-  for (const PlacedPoint& p : orderLeaves(bench.samples().positions, LeafOrder::kMorton)) morton.push_back(p.point);
+  for (const PlacedPoint& p : orderLeaves(bench.samples().positions, LeafOrder::kMorton))
+    morton.push_back(p.point);
   Baseline asInFile{"file order (random)", {bench.samples(), {}}},
       inOrder{"Morton order", {bench.samples(), morton}};
   fmt::print("{}\n", asInFile.points.device());

@@ -84,9 +84,9 @@ void expectMeansByArea(const Hierarchy& h) {
     // The means and the rounding of their coordinates.
     const double scale = s.radius + 3e-3 * glm::length(s.center());
     ASSERT_LT(glm::distance(glm::dvec3(s.center()), center / area), 1e-4 * scale);
-    // The ratio of area to disc is stored to 1/32 of an octave.
-    ASSERT_NEAR(areaOf(s) / area, 1, 0.025);
-    ASSERT_NEAR(s.radius, kRadiusOfArea * std::sqrt(area), 1e-4 * s.radius);
+    ASSERT_NEAR(areaOf(s) / area, 1, 1e-5);
+    const int level = parent < h.levelBegin(2) ? 1 : h.levelCount() < 3 || parent < h.levelBegin(3) ? 2 : 3;
+    ASSERT_NEAR(s.radius, radiusOfArea(level) * std::sqrt(area), 1e-4 * s.radius);
     const glm::dvec3 mean = color / area;
     ASSERT_LE(std::abs(s.color.r - 255 * srgbFromLinear(float(mean.x))), 0.55);
     ASSERT_LE(std::abs(s.color.g - 255 * srgbFromLinear(float(mean.y))), 0.55);
