@@ -57,5 +57,14 @@ TEST(SurfaceGraph, PiecesEndAtBlockedEdges) {
   EXPECT_THAT(pieces.rankOfSite, ElementsAre(0, 1, 2, 0, 1, 2));
 }
 
+TEST(SurfaceGraph, FindsEdgesAndShortDetours) {
+  const SurfaceGraph graph = chain(6, 2);
+  EXPECT_EQ(graph.neighbors[*graph.findEdge(3, 4)], 4u);
+  EXPECT_FALSE(graph.findEdge(0, 2));
+  EXPECT_TRUE(isJoined(graph, 0, 2, 2));
+  EXPECT_FALSE(isJoined(graph, 0, 2, 1));
+  EXPECT_FALSE(isJoined(graph, 2, 3, 6)) << "across the blocked edge";
+}
+
 }  // namespace
 }  // namespace stipple
