@@ -4,6 +4,7 @@
 
 #include "core/geometry/creases.h"
 #include "core/geometry/moments.h"
+#include "plugins/segmentation/mesh_stiffness.h"
 
 namespace stipple {
 
@@ -21,21 +22,37 @@ std::vector<float> computeClassifier(const Sites& sites, int k, const Progress* 
   return classify(fitMoments(sites, findNeighborhoods(sites, {.k = k}, progress), progress));
 }
 
-// Weights below 0, which schemes other than voronoi have at obtuse angles, no longer cancel once edges are
-// blocked: they are dropped, so that the matrix stays semidefinite.
-void dropNegativeWeights(SparseMatrix& stiffness) {
-  for (Eigen::Index row = 0; row < stiffness.rows(); ++row) {
-    double diagonal = 0;
-    for (SparseMatrix::InnerIterator entry(stiffness, row); entry; ++entry) {
-      if (entry.col() == row) continue;
-      entry.valueRef() = std::min(entry.value(), 0.0);
-      diagonal -= entry.value();
-    }
-    stiffness.coeffRef(row, row) = diagonal;
+std::vector<std::uint8_t> findSitesAtCreases(const SurfaceGraph& graph) {
+  std::vector<std::uint8_t> atCrease(graph.size());
+  for (Index i = 0; i < graph.size(); ++i) {
+    const auto begin = graph.blocked.begin() + graph.offsets[i];
+    const auto end = graph.blocked.begin() + graph.offsets[i + 1];
+    atCrease[i] = std::find(begin, end, 1) != end;
   }
+  return atCrease;
 }
 
-void blockCreases(Terrain& terrain, const SegmentationOptions& options, const Progress* progress) {
+// Pieces that edges of some weight hold together; all edges between two pieces are blocked.
+Pieces separatePieces(const SparseMatrix& stiffness, SurfaceGraph& graph) {
+  SurfaceGraph strong = graph;
+  for (Index i = 0; i < graph.size(); ++i) {
+    for (Index e = graph.offsets[i]; e < graph.offsets[i + 1]; ++e) {
+      if (!(stiffness.coeff(i, graph.neighbors[e]) <= -kLeastWeight)) strong.blocked[e] = 1;
+    }
+  }
+  Pieces pieces = findPieces(strong);
+  for (Index i = 0; i < graph.size(); ++i) {
+    for (Index e = graph.offsets[i]; e < graph.offsets[i + 1]; ++e) {
+      if (pieces.pieceOfSite[i] != pieces.pieceOfSite[graph.neighbors[e]]) graph.blocked[e] = 1;
+    }
+  }
+  return pieces;
+}
+
+// Walls are those of the fans of `points` whatever the scheme, so that no piece depends on which edges a
+// scheme has; the scheme weighs what lies between them.
+void blockCreases(Terrain& terrain, const Discretization& points, const SegmentationOptions& options,
+                  const Progress* progress) {
   const Discretization& d = terrain.discretization;
   terrain.k = options.k > 0 ? options.k : creaseNeighbors(terrain.noise);
   const std::vector<OneSidedPlane> planes =
@@ -45,15 +62,19 @@ void blockCreases(Terrain& terrain, const SegmentationOptions& options, const Pr
   const auto isBlocked = [&](Index i, Index j) {
     return turningAngle(planes[std::min(i, j)], planes[std::max(i, j)]) > turn;
   };
-  terrain.graph = buildSurfaceGraph(d, isBlocked, progress);
-  terrain.stiffness = assembleStiffness(
-      d, [&](Index i, Index j) { return isBlocked(i, j) ? 0.0 : 1.0; }, progress);
-  if (options.discretization.scheme != Scheme::kVoronoi) dropNegativeWeights(terrain.stiffness);
-  for (Index i = 0; i < d.size(); ++i) {
-    const auto begin = terrain.graph.blocked.begin() + terrain.graph.offsets[i];
-    const auto end = terrain.graph.blocked.begin() + terrain.graph.offsets[i + 1];
-    terrain.atCrease[i] = std::find(begin, end, 1) != end;
+  terrain.graph = buildSurfaceGraph(points, isBlocked, progress);
+  terrain.atCrease = findSitesAtCreases(terrain.graph);
+  const auto openShare = [&](Index i, Index j) {
+    return terrain.graph.blocked[*terrain.graph.findEdge(i, j)] ? 0.0 : 1.0;
+  };
+  terrain.pieces = separatePieces(assembleStiffness(points, openShare, progress), terrain.graph);
+  if (options.discretization.scheme == Scheme::kMesh) {
+    terrain.stiffness = assembleMeshStiffness(d, points, terrain.graph, isBlocked, progress);
+    return;
   }
+  terrain.stiffness = assembleStiffness(d, openShare, progress);
+  // Weights below 0, which other schemes have at obtuse angles, no longer cancel once edges are blocked.
+  if (options.discretization.scheme != Scheme::kVoronoi) dropNegativeWeights(terrain.stiffness);
 }
 
 void slowByClassifier(Terrain& terrain, const Progress* progress) {
@@ -64,6 +85,7 @@ void slowByClassifier(Terrain& terrain, const Progress* progress) {
       d, [](Index, Index) { return false; }, progress);
   constexpr float kCrease = 0.4f;  // where the classifier takes a place for a crease
   for (Index i = 0; i < d.size(); ++i) terrain.atCrease[i] = terrain.classifier[i] < kCrease;
+  terrain.pieces = findPieces(terrain.graph);
 }
 
 }  // namespace
@@ -82,11 +104,14 @@ Terrain buildTerrain(const PointSet& points, const SegmentationOptions& options,
   }
   if (options.diffusivity == Diffusivity::kClassifier) {
     slowByClassifier(terrain, &progress);
+  } else if (options.discretization.scheme == Scheme::kMesh) {
+    DiscretizationOptions byPoints = options.discretization;
+    byPoints.scheme = Scheme::kVoronoi;
+    PartialProgress buildingFans(progress, 0.5, 0.7);
+    blockCreases(terrain, discretize(points, byPoints, buildingFans), options, &progress);
   } else {
-    blockCreases(terrain, options, &progress);
+    blockCreases(terrain, terrain.discretization, options, &progress);
   }
-  progress.report(0.9, "pieces");
-  terrain.pieces = findPieces(terrain.graph);
   return terrain;
 }
 

@@ -7,10 +7,19 @@ namespace stipple {
 
 namespace {
 
-// K acts where u > theta: implicit diffusion makes u > 0 everywhere at once.
+// K acts in full where u > theta: implicit diffusion makes u > 0 everywhere at once. It rises linearly from a
+// tenth of theta, so that labels depend continuously on u: with a jump at theta, the last digit of u decides
+// whether a front passes a bottleneck one step earlier.
 constexpr double kTheta = 0.01;
+constexpr double kOnset = 0.1 * kTheta;
 // The rate alpha of K times the time step: u runs to 1 in a few steps, whatever the unit of length.
 constexpr double kRateTimesStep = 0.5;
+
+// K(u) times the time step.
+double reaction(double u) {
+  if (!(u > kOnset && u < 1)) return 0;
+  return kRateTimesStep * std::sqrt(1 - u) * std::min(1.0, (u - kOnset) / (kTheta - kOnset));
+}
 
 SparseMatrix extractPiece(const Pieces& pieces, Index piece, const SparseMatrix& stiffness) {
   const std::span<const Index> sites = pieces.of(piece);
@@ -80,8 +89,7 @@ bool LabelGrowth::react(Index rank, double threshold, Labeling& labeling) {
   for (std::size_t c = 0; c < labels_.size(); ++c) {
     double& u = u_(rank, c);
     if (owner != 0 && owner != labels_[c]) u = 0;
-    if (u > kTheta && u < 1) u += kRateTimesStep * std::sqrt(1 - u);
-    u = std::clamp(u, 0.0, 1.0);
+    u = std::clamp(u + reaction(u), 0.0, 1.0);
     if (u > strongest) {
       strongest = u;
       winner = c;

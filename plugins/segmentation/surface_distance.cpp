@@ -1,8 +1,11 @@
 #include "plugins/segmentation/surface_distance.h"
 
 #include <algorithm>
+#include <map>
+#include <numeric>
 #include <queue>
 #include <unordered_map>
+#include <utility>
 
 namespace stipple {
 
@@ -33,6 +36,46 @@ void spread(const SurfaceGraph& graph, Queue& queue, const Distance& distanceOf,
       }
     }
   }
+}
+
+// Labels spread to the nearest sites along edges that are not blocked.
+void spreadLabels(const SurfaceGraph& graph, std::vector<std::int32_t>& labels) {
+  std::vector<float> distance(graph.size(), kUnreached);
+  Queue queue;
+  for (Index site = 0; site < graph.size(); ++site) {
+    if (labels[site] == 0) continue;
+    distance[site] = 0;
+    queue.push({0, site});
+  }
+  spread(
+      graph, queue, [&](Index site) { return distance[site]; },
+      [&](Index e) { return graph.blocked[e] ? kUnreached : graph.lengths[e]; },
+      [&](Index from, Index to, float reached) {
+        if (!(reached < distance[to])) return false;
+        distance[to] = reached;
+        labels[to] = labels[from];
+        return true;
+      });
+}
+
+// The label to which most edges lead out of some sites, the smallest of equals; 0: none.
+std::int32_t findLabelOfBorder(const SurfaceGraph& graph, std::span<const Index> sites,
+                               const std::vector<std::int32_t>& labels) {
+  std::map<std::int32_t, int> edgesTo;
+  for (const Index site : sites) {
+    for (Index e = graph.offsets[site]; e < graph.offsets[site + 1]; ++e) {
+      if (labels[graph.neighbors[e]] != 0) ++edgesTo[labels[graph.neighbors[e]]];
+    }
+  }
+  std::int32_t best = 0;
+  int most = 0;
+  for (const auto& [label, count] : edgesTo) {
+    if (count > most) {
+      most = count;
+      best = label;
+    }
+  }
+  return best;
 }
 
 }  // namespace
@@ -75,24 +118,33 @@ std::vector<Index> discAround(const SurfaceGraph& graph, Index center, float rad
 }
 
 void fillFromNearest(const SurfaceGraph& graph, std::vector<std::int32_t>& labels) {
-  // A detour this many times longer is taken rather than a step across a crease.
-  constexpr float kCrossing = 1000;
-  std::vector<float> distance(graph.size(), kUnreached);
-  Queue queue;
-  for (Index site = 0; site < graph.size(); ++site) {
-    if (labels[site] == 0) continue;
-    distance[site] = 0;
-    queue.push({0, site});
+  spreadLabels(graph, labels);
+  // A piece is now labelled as a whole or not at all.
+  const Pieces pieces = findPieces(graph);
+  std::vector<Index> candidates(pieces.size());
+  std::iota(candidates.begin(), candidates.end(), 0u);
+  while (!candidates.empty()) {
+    std::vector<std::pair<Index, std::int32_t>> taken;
+    for (const Index piece : candidates) {
+      if (labels[pieces.of(piece).front()] != 0) continue;
+      const std::int32_t label = findLabelOfBorder(graph, pieces.of(piece), labels);
+      if (label != 0) taken.emplace_back(piece, label);
+    }
+    candidates.clear();
+    for (const auto& [piece, label] : taken) {
+      for (const Index site : pieces.of(piece)) labels[site] = label;
+    }
+    for (const auto& [piece, label] : taken) {
+      for (const Index site : pieces.of(piece)) {
+        for (Index e = graph.offsets[site]; e < graph.offsets[site + 1]; ++e) {
+          const Index j = graph.neighbors[e];
+          if (labels[j] == 0) candidates.push_back(pieces.pieceOfSite[j]);
+        }
+      }
+    }
+    std::sort(candidates.begin(), candidates.end());
+    candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
   }
-  spread(
-      graph, queue, [&](Index site) { return distance[site]; },
-      [&](Index e) { return graph.blocked[e] ? kCrossing * graph.lengths[e] : graph.lengths[e]; },
-      [&](Index from, Index to, float reached) {
-        if (!(reached < distance[to])) return false;
-        distance[to] = reached;
-        labels[to] = labels[from];
-        return true;
-      });
 }
 
 }  // namespace stipple

@@ -33,6 +33,13 @@ void collectNeighbors(const Fans& fans, Index size, SurfaceGraph& graph) {
 
 }  // namespace
 
+std::optional<Index> SurfaceGraph::findEdge(Index from, Index to) const {
+  const auto begin = neighbors.begin() + offsets[from], end = neighbors.begin() + offsets[from + 1];
+  const auto found = std::lower_bound(begin, end, to);
+  if (found == end || *found != to) return std::nullopt;
+  return static_cast<Index>(found - neighbors.begin());
+}
+
 SurfaceGraph buildSurfaceGraph(const Discretization& d, const std::function<bool(Index, Index)>& isBlocked,
                                const Progress* progress) {
   SurfaceGraph graph;
@@ -52,6 +59,22 @@ SurfaceGraph buildSurfaceGraph(const Discretization& d, const std::function<bool
       },
       progress);
   return graph;
+}
+
+bool isJoined(const SurfaceGraph& graph, Index from, Index to, int edges) {
+  std::vector<Index> reached = {from};
+  std::size_t next = 0;
+  for (int ring = 0; ring < edges; ++ring) {
+    for (const std::size_t end = reached.size(); next < end; ++next) {
+      for (Index e = graph.offsets[reached[next]]; e < graph.offsets[reached[next] + 1]; ++e) {
+        const Index j = graph.neighbors[e];
+        if (graph.blocked[e] || std::find(reached.begin(), reached.end(), j) != reached.end()) continue;
+        if (j == to) return true;
+        reached.push_back(j);
+      }
+    }
+  }
+  return from == to;
 }
 
 Pieces findPieces(const SurfaceGraph& graph) {

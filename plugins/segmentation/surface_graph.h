@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct SurfaceGraph {
   std::vector<std::uint8_t> blocked;  ///< parallel to neighbors: nothing flows along this edge
 
   Index size() const { return static_cast<Index>(offsets.size()) - 1; }
+  std::optional<Index> findEdge(Index from, Index to) const;
 };
 
 /// `isBlocked` must be symmetric; it is called from several threads.
@@ -37,5 +39,8 @@ struct Pieces {
   }
 };
 Pieces findPieces(const SurfaceGraph& graph);
+
+/// Whether a path of at most `edges` edges that are not blocked leads from one site to the other.
+bool isJoined(const SurfaceGraph& graph, Index from, Index to, int edges);
 
 }  // namespace stipple

@@ -49,12 +49,33 @@ TEST(SurfaceDistance, FillCrossesACreaseOnlyWhereItMust) {
   EXPECT_THAT(labels, Each(5));
 }
 
+// A star whose center 0 is sealed off from its neighbors at falling distances.
+TEST(SurfaceDistance, ASealedPieceTakesTheLabelOfMostOfItsBorder) {
+  SurfaceGraph star;
+  star.neighbors = {1, 2, 3, 0, 0, 0};
+  star.offsets = {0, 3, 4, 5, 6};
+  star.lengths = {3, 2, 1, 3, 2, 1};
+  star.blocked.assign(6, 1);
+  std::vector<std::int32_t> labels = {0, 8, 8, 4};
+  fillFromNearest(star, labels);
+  EXPECT_EQ(labels[0], 8);
+}
+
 TEST(SurfaceGraph, PiecesEndAtBlockedEdges) {
   const Pieces pieces = findPieces(chain(6, 2));
   ASSERT_EQ(pieces.size(), 2u);
   EXPECT_THAT(pieces.of(0), ElementsAre(0, 1, 2));
   EXPECT_THAT(pieces.of(1), ElementsAre(3, 4, 5));
   EXPECT_THAT(pieces.rankOfSite, ElementsAre(0, 1, 2, 0, 1, 2));
+}
+
+TEST(SurfaceGraph, FindsEdgesAndShortDetours) {
+  const SurfaceGraph graph = chain(6, 2);
+  EXPECT_EQ(graph.neighbors[*graph.findEdge(3, 4)], 4u);
+  EXPECT_FALSE(graph.findEdge(0, 2));
+  EXPECT_TRUE(isJoined(graph, 0, 2, 2));
+  EXPECT_FALSE(isJoined(graph, 0, 2, 1));
+  EXPECT_FALSE(isJoined(graph, 2, 3, 6)) << "across the blocked edge";
 }
 
 }  // namespace
