@@ -8,11 +8,12 @@ namespace stipple::kernel {
 inline constexpr float kLeastCosine = 0.1f;
 /// A disc hides what is behind it only up to this q, its squared distance from the center over the squared
 /// radius: enough to cover, without standing out over contours and creases.
-inline constexpr float kVisibleShare = 0.8f;
+inline constexpr float kVisibleShare = 0.9f;
 /// Screen-space kernel, pixels, of the smallest discs: at kVisibleShare it just reaches a pixel center
 /// wherever it lies. It shrinks by as much as the disc's own radius on the screen exceeds kSmallDiscPx, down
-/// to the least: what is drawn large enough covers pixels by itself.
-inline constexpr float kScreenRadiusPx = 0.8f, kSmallDiscPx = 0.7f, kLeastScreenRadiusPx = 0.3f;
+/// to the least: what is drawn large enough covers pixels by itself, down to a line of one pixel for a sheet
+/// seen edge-on.
+inline constexpr float kScreenRadiusPx = 0.75f, kSmallDiscPx = 0.7f, kLeastScreenRadiusPx = 0.53f;
 /// A fragment counts up to this many of its own radii behind the visible surface, and with a normal within 60
 /// degrees.
 inline constexpr float kDepthBand = 1.5f;

@@ -49,7 +49,7 @@ inline float areaOf(const Splat& splat) {
 /// and blends well at 1; blocks of a few random points are less regular. Powers of two that packShape holds
 /// exactly.
 inline float radiusOfArea(int level) {
-  return level == 1 ? 1.2418578f : level == 2 ? 1.0905077f : 1.f;  // 2^(10/32), 2^(4/32)
+  return level == 1 ? 1.2418578f : level == 2 ? 1.0905077f : 1.0442738f;  // 2^(10/32), 2^(4/32), 2^(2/32)
 }
 
 /// What the cut needs of an inner node, about the center of its splat.

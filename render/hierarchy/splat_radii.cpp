@@ -17,15 +17,17 @@ constexpr float kCoverOverlap = 1.25f;
 constexpr float kAreaOverlap = 1.05f;
 // A disc is no larger than this many times the median distance of its neighbors to their nearest: random
 // points need twice the mean distance, rings of a lidar far apart are shown as rings.
-constexpr float kMostOfSpacing = 4;
+constexpr float kMostOfSpacing = 6;
 // At rims and gaps, where a fan is open, just enough to reach its neighbors.
-constexpr float kMostAtRim = 3;
+constexpr float kMostAtRim = 4;
 // And no disc is larger than this many times the disc that nine of ten do not exceed: single points far out.
 constexpr float kMostOfLarge = 4;
 // Ratio of heights over widths of a fan from which it is no surface any more: discs shrink, up to dots for
 // single points above one.
 constexpr float kSteep = 0.6f, kScattered = 0.9f;
 constexpr float kPlausible = 8;
+// Discs of a file just cover; ours also blend, and hide less than they blend.
+constexpr float kGivenOverlap = 1.2f;
 
 struct SiteEstimate {
   float cover = 0;    // distance to the farthest corner of the Voronoi cell
@@ -140,7 +142,9 @@ std::vector<float> radiiOfFile(const PointSet& points, const std::vector<float>&
   }
   const float ratio = medianOf(ratios);
   if (ratio > kPlausible || ratio < 1 / kPlausible) return {};
-  return {given.begin(), given.end()};
+  std::vector<float> radii(given.begin(), given.end());
+  for (float& radius : radii) radius *= kGivenOverlap;
+  return radii;
 }
 
 }  // namespace

@@ -104,7 +104,8 @@ HWY_INLINE void addAttributes(Tile& tile, const ProjectedSplat& s, const Part& p
       tile, s, part, [&](const Row<kPerspective>& row, std::size_t at, V dx, M inside) HWY_ATTR {
         const auto [q, z] = row.at(dx);
         const V seen = hn::LoadU(f, tile.depth.data() + at);
-        const M near = hn::Le(z, hn::Add(seen, hn::Set(f, kernel::kDepthBand * s.radius)));
+        const M isFilled = hn::Lt(seen, hn::Set(f, FrameBuffers::kEmpty));  // something hides the background
+        const M near = hn::And(isFilled, hn::Le(z, hn::Add(seen, hn::Set(f, kernel::kDepthBand * s.radius))));
         M counts = hn::And(hn::And(inside, hn::Le(q, hn::Set(f, 1))), near);
         if (hn::AllFalse(f, counts)) return;
         const V cosine =
