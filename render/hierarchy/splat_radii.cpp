@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/geometry/fans.h"
 
@@ -15,23 +16,24 @@ constexpr std::size_t kGrain = 4096;
 constexpr float kCoverOverlap = 1.25f;
 // Over the root of the area: enough for cells that are nearly round.
 constexpr float kAreaOverlap = 1.05f;
-// A disc is no larger than this many times the median distance of its neighbors to their nearest: random
-// points need twice the mean distance, rings of a lidar far apart are shown as rings.
-constexpr float kMostOfSpacing = 6;
+// A disc is no larger than this many times the median distance of its neighbors to their second nearest:
+// random points need twice the mean distance, rings of a lidar far apart are shown as rings.
+constexpr float kMostOfSpacing = 8;
 // At rims and gaps, where a fan is open, just enough to reach its neighbors.
-constexpr float kMostAtRim = 4;
+constexpr float kMostAtRim = 6;
 // And no disc is larger than this many times the disc that nine of ten do not exceed: single points far out.
-constexpr float kMostOfLarge = 4;
+constexpr float kMostOfLarge = 4, kMostOfLargeAtRim = 1.5f;
 // Ratio of heights over widths of a fan from which it is no surface any more: discs shrink, up to dots for
 // single points above one.
-constexpr float kSteep = 0.6f, kScattered = 0.9f;
+constexpr float kSteep = 0.9f, kScattered = 1.4f;
 constexpr float kPlausible = 8;
 // Discs of a file just cover; ours also blend, and hide less than they blend.
 constexpr float kGivenOverlap = 1.2f;
 
 struct SiteEstimate {
-  float cover = 0;    // distance to the farthest corner of the Voronoi cell
-  float nearest = 0;  // distance to the nearest neighbor
+  float cover = 0;  // distance to the farthest corner of the Voronoi cell
+  float nearest = std::numeric_limits<float>::max(),
+        second = nearest;  // distances to the two nearest neighbors
   float area = 0;
 };
 
@@ -58,7 +60,9 @@ SiteEstimate measureFan(const Sites& sites, const FanSet& set, Index site) {
   SiteEstimate estimate;
   for (std::size_t s = 0; s < spokes.size(); ++s) {
     const Eigen::Vector3f a = sites.positions[spokes[s]] - x;
-    estimate.nearest = s == 0 ? a.norm() : std::min(estimate.nearest, a.norm());
+    const float length = a.norm();
+    estimate.second = std::min(estimate.second, std::max(length, estimate.nearest));
+    estimate.nearest = std::min(estimate.nearest, length);
     if (flags[s] & Fans::kGapAfter) continue;
     const Eigen::Vector3f b = sites.positions[spokes[(s + 1) % spokes.size()]] - x;
     const float twiceArea = a.cross(b).norm(), longest = std::max(a.norm(), b.norm());
@@ -66,6 +70,7 @@ SiteEstimate measureFan(const Sites& sites, const FanSet& set, Index site) {
     estimate.cover = std::max(estimate.cover, std::min(circumradius(a, b, twiceArea), longest));
     estimate.area += twiceArea / 6;
   }
+  if (spokes.empty()) return {};
   const float dot = 0.5f * estimate.nearest;
   const float steep = steepness(sites, set.fans, site, set.normals[site]);
   const float share = std::clamp((kScattered - steep) / (kScattered - kSteep), 0.f, 1.f);
@@ -102,8 +107,8 @@ std::vector<float> limitBySpacing(const Fans& fans, const std::vector<SiteEstima
       [&](std::size_t begin, std::size_t end) {
         std::vector<float> around;
         for (auto site = static_cast<Index>(begin); site < end; ++site) {
-          around.assign(1, estimates[site].nearest);
-          for (const Index j : fans.of(site)) around.push_back(estimates[j].nearest);
+          around.assign(1, estimates[site].second);
+          for (const Index j : fans.of(site)) around.push_back(estimates[j].second);
           covers[site] = std::min(estimates[site].cover,
                                   (fans.open[site] ? kMostAtRim : kMostOfSpacing) * medianOf(around));
         }
@@ -113,7 +118,9 @@ std::vector<float> limitBySpacing(const Fans& fans, const std::vector<SiteEstima
   if (sorted.empty()) return covers;
   const auto large = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() * 9 / 10);
   std::nth_element(sorted.begin(), large, sorted.end());
-  for (float& cover : covers) cover = std::min(cover, kMostOfLarge * *large);
+  const float most = *large;
+  for (Index site = 0; site < covers.size(); ++site)
+    covers[site] = std::min(covers[site], most * (fans.open[site] ? kMostOfLargeAtRim : kMostOfLarge));
   return covers;
 }
 
