@@ -185,6 +185,20 @@ TEST(PointIo, LossesAreNamed) {
               UnorderedElementsAre(HasSubstr("'heat'"), HasSubstr("1 triangles"), HasSubstr("opacity")));
 }
 
+TEST(PointIo, ColumnsOfTextHaveNamesThatTheReaderTellsApart) {
+  const TemporaryFolder folder;
+  PointSet points(std::vector<Eigen::Vector3f>{{1, 2, 3}});
+  float value = 0;
+  for (const char* name : {"X", "a b", "a,b", "\"", "heat"}) points.set(name, std::vector<float>{++value});
+  EXPECT_THAT(write(folder / "a.csv", points),
+              ElementsAre(HasSubstr("'X' is written as 'X_'"), HasSubstr("'a_b' is written as 'a_b_'")));
+  const PointSet back = read(folder / "a.csv").points;
+  value = 0;
+  for (const char* name : {"X_", "a_b", "a_b_", "_", "heat"}) {
+    EXPECT_THAT(back.values<float>(name), ElementsAre(++value)) << name;
+  }
+}
+
 TEST(PointIo, EveryByteOfColorSurvivesObj) {
   const TemporaryFolder folder;
   std::vector<Eigen::Vector3f> positions(256);
