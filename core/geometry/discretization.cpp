@@ -96,6 +96,7 @@ Discretization discretize(const PointSet& points, const DiscretizationOptions& o
   d.options = options;
   const Stopwatch watch;
   d.sites = weldAndOrder(points.positions());
+  requireUsableScale(d.sites);
   d.times.order = {watch.seconds(), watch.cpuSeconds()};
   progress.throwIfCancelled();
 

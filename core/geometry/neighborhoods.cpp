@@ -146,15 +146,17 @@ struct NeighborSearch::Impl {
       Index end = begin + 1;
       while (end < range.end && cells.cellOf(end, level) == cell) ++end;
       const CellIndex::Block block = cells.blockAround(cell, level);
-      if (block.points > 40 * k + 400 && level > 0) {
+      const bool crowded = block.points > 40 * k + 400;
+      if (crowded && level > 0) {
         findInRange({begin, end}, level - 1, k, s, rows);
       } else {
-        s.gather(positions, block);
-        bool stale = false;
+        // One far outlier stretches the lattice until all other sites share a cell: those go to the tree.
+        bool gathered = false;
         for (Index site = begin; site < end; ++site) {
-          if (stale) s.gather(positions, block);
-          stale = !selectNearest(s, positions[site], k, cells.reachOf(positions[site], cell, level));
-          if (stale) findAlone(site, level + 1, k, s);
+          if (!gathered && !crowded) s.gather(positions, block);
+          gathered =
+              !crowded && selectNearest(s, positions[site], k, cells.reachOf(positions[site], cell, level));
+          if (!gathered) findAlone(site, level + 1, k, s);
           append(s, rows.neighbors, rows.squaredDistances);
           rows.offsets.push_back(rows.neighbors.size());
         }
@@ -299,13 +301,7 @@ Neighborhoods widenToBalls(const Neighborhoods& nearest, const NeighborSearch& s
   return widened;
 }
 
-}  // namespace
-
-Neighborhoods findNeighborhoods(const Sites& sites, const NeighborhoodOptions& options,
-                                const Progress* progress) {
-  if (options.k < 1) throw InvalidInput(fmt::format("k is {}, expected at least 1", options.k));
-  if (!(options.epsilon >= 0))
-    throw InvalidInput(fmt::format("epsilon is {}, expected >= 0", options.epsilon));
+Neighborhoods findInBlocks(const Sites& sites, const NeighborhoodOptions& options, const Progress* progress) {
   constexpr std::size_t kBlock = 4096;
   const NeighborSearch search(sites.positions, options.k);
   std::vector<Neighborhoods> parts((sites.size() + kBlock - 1) / kBlock);
@@ -320,9 +316,21 @@ Neighborhoods findNeighborhoods(const Sites& sites, const NeighborhoodOptions& o
   return concatenate(parts, sites.size());
 }
 
+}  // namespace
+
+Neighborhoods findNeighborhoods(const Sites& sites, const NeighborhoodOptions& options,
+                                const Progress* progress) {
+  if (options.k < 1) throw InvalidInput(fmt::format("k is {}, expected at least 1", options.k));
+  if (!(options.epsilon >= 0))
+    throw InvalidInput(fmt::format("epsilon is {}, expected >= 0", options.epsilon));
+  requireUsableScale(sites);
+  return findInBlocks(sites, options, progress);
+}
+
 float medianSpacing(const Sites& sites) {
   if (sites.size() < 2) return 0;
-  std::vector<float> squared = findNeighborhoods(sites, {.k = 1}).squaredDistances;
+  std::vector<float> squared = findInBlocks(sites, {.k = 1}, nullptr).squaredDistances;
+  if (squared.empty()) return std::numeric_limits<float>::infinity();
   const auto middle = squared.begin() + static_cast<std::ptrdiff_t>(squared.size() / 2);
   std::nth_element(squared.begin(), middle, squared.end());
   return std::sqrt(*middle);

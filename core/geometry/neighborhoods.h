@@ -30,7 +30,8 @@ struct NeighborhoodOptions {
   int cap = 200;      ///< a ball with more members keeps every r-th of those beyond the k nearest
 };
 
-/// Exact k nearest neighbors, ties by index; with epsilon the rule of Section 6 of the paper.
+/// Exact k nearest neighbors, ties by index; with epsilon the rule of Section 6 of the paper. Sites farther
+/// than floats can square (1e19) are not found.
 Neighborhoods findNeighborhoods(const Sites& sites, const NeighborhoodOptions& options,
                                 const Progress* progress = nullptr);
 
@@ -59,7 +60,8 @@ class NeighborSearch {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Median distance to the nearest other site; 0 below two sites.
+/// Median distance to the nearest other site; 0 below two sites. Beyond the scale that requireUsableScale
+/// asks for, 0 or infinite.
 float medianSpacing(const Sites& sites);
 
 }  // namespace stipple

@@ -1,10 +1,13 @@
 #include "core/geometry/sites.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <numeric>
 #include <tuple>
 
+#include "core/error.h"
 #include "core/geometry/morton.h"
 
 namespace stipple {
@@ -48,9 +51,17 @@ void sortCells(std::vector<CodedRow>& rows, std::span<const Eigen::Vector3f> pos
   }
 }
 
+void requireFinite(std::span<const Eigen::Vector3f> positions) {
+  const auto found = std::ranges::find_if(positions, [](const auto& p) { return !p.allFinite(); });
+  if (found == positions.end()) return;
+  throw InvalidInput(fmt::format("position[{}] is ({}, {}, {}), expected finite coordinates",
+                                 found - positions.begin(), found->x(), found->y(), found->z()));
+}
+
 }  // namespace
 
 Sites weldAndOrder(std::span<const Eigen::Vector3f> positions) {
+  requireFinite(positions);
   const MortonLattice lattice = fitMortonLattice(positions);
   std::vector<CodedRow> rows(positions.size());
   parallelFor(rows.size(), 1 << 16, [&](std::size_t begin, std::size_t end) {
@@ -71,6 +82,24 @@ Sites weldAndOrder(std::span<const Eigen::Vector3f> positions) {
     sites.siteOfPoint[r.row] = sites.size() - 1;
   }
   return sites;
+}
+
+void requireUsableScale(const Sites& sites) {
+  if (sites.size() < 2) return;
+  // A few thousand steps along the spatial order give the size of the spacing.
+  const std::size_t steps = std::min<std::size_t>(sites.size() - 1, 4096);
+  std::vector<double> lengths(steps);
+  for (std::size_t s = 0; s < steps; ++s) {
+    const std::size_t site = s * (sites.size() - 1) / steps;
+    lengths[s] = (sites.positions[site + 1].cast<double>() - sites.positions[site].cast<double>()).norm();
+  }
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(steps / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  constexpr double kLeast = 1e-18, kMost = 1e18;
+  if (*middle < kLeast || *middle > kMost) {
+    throw InvalidInput(fmt::format("the points lie about {:.2g} apart, expected {:g} to {:g}: scale them",
+                                   *middle, kLeast, kMost));
+  }
 }
 
 }  // namespace stipple

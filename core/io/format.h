@@ -13,7 +13,7 @@ namespace stipple {
 
 /// What the choice of a format can look at.
 struct FileSample {
-  std::string head;       ///< the first bytes of the file
+  std::string head;       ///< the first bytes of the file; lines end in LF, no byte order mark
   std::string extension;  ///< lower case, with the dot
   std::uint64_t size = 0;
 };

@@ -97,6 +97,18 @@ bool ByteCursor::skip(std::uint64_t count) {
   return true;
 }
 
+TextLayout layoutOf(std::string_view head) {
+  const bool hasOnlyCr = head.find('\n') == head.npos && head.find('\r') != head.npos;
+  return {.begin = head.starts_with("\xEF\xBB\xBF") ? std::size_t{3} : 0, .newline = hasOnlyCr ? '\r' : '\n'};
+}
+
+LineReader::LineReader(const InputFile& file, std::uint64_t offset, std::uint64_t linesBefore)
+    : file_(file), next_(offset), number_(linesBefore) {
+  const TextLayout layout = layoutOf(file.head(InputFile::kHeadBytes));
+  newline_ = layout.newline;
+  if (offset == 0) next_ = layout.begin;
+}
+
 bool LineReader::fill() {
   if (next_ >= file_.size()) return false;
   if (begin_ > 0) {
@@ -119,7 +131,7 @@ bool LineReader::next(std::string_view& line) {
   const char* newline = nullptr;
   for (;;) {
     if (end_ > searched) {
-      newline = static_cast<const char*>(std::memchr(window_.data() + searched, '\n', end_ - searched));
+      newline = static_cast<const char*>(std::memchr(window_.data() + searched, newline_, end_ - searched));
     }
     if (newline) break;
     const std::size_t tail = end_ - begin_;

@@ -15,6 +15,9 @@ namespace stipple {
 /// thread.
 class InputFile {
  public:
+  /// Enough of the first bytes to see past the comments that text formats begin with.
+  static constexpr std::size_t kHeadBytes = 1 << 16;
+
   /// Throws IoError: missing, a directory, not a regular file, unreadable.
   explicit InputFile(const std::filesystem::path& path);
   /// Bytes that must outlive this object; `name` is for messages and the choice of the format.
@@ -63,11 +66,17 @@ class ByteCursor {
   std::size_t capacity_ = 0, begin_ = 0, end_ = 0;
 };
 
-/// Walks through the lines of a text file; ends of lines may be LF, CRLF or a mixture.
+/// Where the text of a file begins, and what ends its lines.
+struct TextLayout {
+  std::size_t begin = 0;  ///< behind a byte order mark of UTF-8
+  char newline = '\n';    ///< with or without a CR before it; CR where the first bytes have no LF at all
+};
+TextLayout layoutOf(std::string_view head);
+
+/// Walks through the lines of a text file; ends of lines may be LF, CRLF or a mixture, or CR throughout.
 class LineReader {
  public:
-  explicit LineReader(const InputFile& file, std::uint64_t offset = 0, std::uint64_t linesBefore = 0)
-      : file_(file), next_(offset), number_(linesBefore) {}
+  explicit LineReader(const InputFile& file, std::uint64_t offset = 0, std::uint64_t linesBefore = 0);
 
   /// The next line without its end, valid until the next call; false at the end of the file.
   bool next(std::string_view& line);
@@ -85,6 +94,7 @@ class LineReader {
   const InputFile& file_;
   std::uint64_t next_;
   std::uint64_t number_;
+  char newline_;
   std::vector<char> window_;
   std::size_t begin_ = 0, end_ = 0;
 };

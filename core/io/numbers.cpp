@@ -71,6 +71,12 @@ std::string_view takeWord(std::string_view& text, bool (*separates)(char)) {
   return word;
 }
 
+std::string_view withoutBlanksAround(std::string_view text) {
+  while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
 bool toNumber(std::string_view word, double& value) {
   return !word.empty() &&
          parseNumber(word.data(), word.data() + word.size(), value) == word.data() + word.size();

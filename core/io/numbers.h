@@ -31,6 +31,9 @@ const char* parseNumber(const char* first, const char* last, float& value);
 /// Takes the next word off the front of `text`; empty at the end.
 std::string_view takeWord(std::string_view& text, bool (*separates)(char) = isBlank);
 
+/// The text without the blanks at both ends.
+std::string_view withoutBlanksAround(std::string_view text);
+
 /// A whole word as a number; false where it is none.
 bool toNumber(std::string_view word, double& value);
 /// A whole word as a count (digits only); false where it is none.

@@ -14,13 +14,6 @@ namespace {
 
 constexpr std::uint64_t kLinesPerReport = 1 << 16;
 
-// Names in OBJ may contain blanks: everything to the end of the line.
-std::string nameIn(std::string_view rest) {
-  while (!rest.empty() && isBlank(rest.front())) rest.remove_prefix(1);
-  while (!rest.empty() && isBlank(rest.back())) rest.remove_suffix(1);
-  return std::string(rest);
-}
-
 class ObjParser {
  public:
   ObjParser(const InputFile& file, Progress& progress) : progress_(progress), lines_(file) {}
@@ -46,10 +39,12 @@ class ObjParser {
     }
     if (!line.ends_with('\\')) return true;
     joined_.clear();
-    do {
+    bool more = true;
+    while (more && line.ends_with('\\')) {
       joined_.append(line.substr(0, line.size() - 1)).append(" ");
-    } while (lines_.next(line) && line.ends_with('\\'));
-    joined_.append(line);
+      more = lines_.next(line);
+    }
+    if (more) joined_.append(line);
     line = joined_;
     return true;
   }
@@ -64,10 +59,10 @@ class ObjParser {
       takeVector(line, object_.normals);
     else if (keyword == "vt")
       takeVector(line, object_.textureCoordinates);
-    else if (keyword == "usemtl")
-      takeMaterial(nameIn(line));
+    else if (keyword == "usemtl")  // names may have blanks: everything to the end of the line
+      takeMaterial(std::string(withoutBlanksAround(line)));
     else if (keyword == "mtllib")
-      object_.libraries.push_back(nameIn(line));
+      object_.libraries.emplace_back(withoutBlanksAround(line));
   }
 
   // Numbers of one statement; a comment may follow them.

@@ -19,14 +19,20 @@ namespace {
 
 using TexturePointer = std::shared_ptr<const Texture>;
 
-// The last word of a map statement is the file; options stand before it. Windows paths have backslashes.
-std::string mapFile(std::string_view rest) {
-  std::string name;
-  for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) name = word;
-  for (char& c : name) {
-    if (c == '\\') c = '/';
+// Options such as "-s 1 1 1" stand before the file, whose name may have blanks itself: the longest end of the
+// line that names a file, else the last word. Windows paths have backslashes.
+std::string mapFile(std::string_view rest, const std::filesystem::path& folder) {
+  std::string line(rest);
+  std::ranges::replace(line, '\\', '/');
+  std::string_view words = withoutBlanksAround(line), name = words;
+  while (!words.empty()) {
+    name = words;
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(folder / name, ignored)) break;
+    takeWord(words);
+    words = withoutBlanksAround(words);
   }
-  return name;
+  return std::string(name);
 }
 
 // Material name to the file of its map_Kd.
@@ -39,9 +45,9 @@ std::map<std::string, std::string> diffuseMaps(const std::filesystem::path& libr
   while (lines.next(line)) {
     const std::string_view keyword = takeWord(line);
     if (keyword == "newmtl")
-      material = takeWord(line);
+      material = withoutBlanksAround(line);
     else if (keyword == "map_Kd")
-      maps[material] = mapFile(line);
+      maps[material] = mapFile(line, library.parent_path());
   }
   return maps;
 }

@@ -144,6 +144,9 @@ class PlyReader {
     const bool strips = element.name == "tristrips";
     std::optional<std::size_t> list;
     if (strips || element.name == "face") list = cornerList(element);
+    if (element.name == "face" && !list && element.count > 0) {
+      warnings_.push_back("the faces have no list of points and are ignored");
+    }
     if (index > vertex_ && !list && !facesFollow(index)) return;
     std::vector<std::int64_t> corners;
     std::vector<std::byte> row(element.properties.size() * sizeof(double));
@@ -153,11 +156,11 @@ class PlyReader {
         endAfter(element, r, index);
         break;
       }
+      if (r % kRowsPerBlock == 0) reportAndCheck();
       if (!list) continue;
       const bool usable = strips ? appendStrips(corners, pointCount_, triangles_)
                                  : appendPolygon(corners, pointCount_, triangles_);
       if (!usable) ++unusable;
-      if (r % kRowsPerBlock == 0) reportAndCheck();
     }
     if (unusable > 0) {
       warnings_.push_back(fmt::format("{} faces name points that do not exist and are ignored", unusable));

@@ -14,8 +14,6 @@ namespace stipple {
 
 namespace {
 
-constexpr std::size_t kSampleBytes = 1 << 16;  // enough to see past the comments that text formats begin with
-
 std::string extensionOf(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -60,9 +58,18 @@ std::string extensionsWritten() {
   return list;
 }
 
+// With the mark and the ends of lines that readers of text are spared too.
+FileSample sampleOf(const InputFile& file) {
+  FileSample sample{file.head(InputFile::kHeadBytes), extensionOf(file.path()), file.size()};
+  const TextLayout layout = layoutOf(sample.head);
+  if (layout.newline == '\r') std::ranges::replace(sample.head, '\r', '\n');
+  sample.head.erase(0, layout.begin);
+  return sample;
+}
+
 ReadResult readRecognized(const InputFile& file, Progress& progress) {
   if (file.size() == 0) throw InvalidInput("is empty");
-  const FileSample sample{file.head(kSampleBytes), extensionOf(file.path()), file.size()};
+  const FileSample sample = sampleOf(file);
   const Format* format = recognize(sample);
   if (!format) throw InvalidInput(fmt::format("is of no kind that is known; what is read: {}", kindsRead()));
   if (!format->read) {

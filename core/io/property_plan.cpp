@@ -24,6 +24,12 @@ class Planner {
       : properties_(properties), used_(properties.size()) {}
 
   PropertyPlan plan() {
+    // Names are compared pair by pair; no scanner and no spectrum has as many.
+    constexpr std::size_t kMost = 4096;
+    if (properties_.size() > kMost) {
+      throw InvalidInput(
+          fmt::format("has {} numbers a point, at most {} are read", properties_.size(), kMost));
+    }
     dropRepeatedNames();
     takePosition();
     takeNormal();

@@ -40,7 +40,7 @@ struct PropertyPlan {
 
 /// Decides what the named properties of a file mean: coordinates, normal, color, vectors of three, single
 /// numbers (names as in docs: scalar_ is stripped unless the plain name is taken). Throws InvalidInput where
-/// x, y or z lacks.
+/// x, y or z lacks, or for more than 4096 properties.
 PropertyPlan planProperties(const std::vector<RowProperty>& properties);
 
 }  // namespace stipple

@@ -10,10 +10,7 @@
 
 namespace stipple {
 
-namespace {
-
-// The names of PLY for what other programs call their columns.
-std::string canonicalName(const std::string& word) {
+std::string canonicalColumnName(const std::string& word) {
   std::string lower = word;
   std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return std::tolower(c); });
   static constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kNames = {
@@ -38,6 +35,8 @@ std::string canonicalName(const std::string& word) {
                                                              "nz", "red", "green", "blue", "alpha"};
   return std::ranges::find(kKept, lower) != kKept.end() ? lower : word;
 }
+
+namespace {
 
 bool isColorName(std::string_view name) {
   return name == "red" || name == "green" || name == "blue" || name == "alpha";
@@ -139,7 +138,7 @@ class Columns {
 std::vector<RowProperty> nameColumns(const NumberTable& table, const std::vector<std::string>& headerWords,
                                      std::string_view extension) {
   std::vector<std::string> names;
-  for (const std::string& word : headerWords) names.push_back(canonicalName(word));
+  for (const std::string& word : headerWords) names.push_back(canonicalColumnName(word));
   const auto has = [&](std::string_view name) { return std::ranges::find(names, name) != names.end(); };
   Columns columns(table, extension);
   return names.size() == table.columns && has("x") && has("y") && has("z") ? columns.named(names)

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <set>
 #include <variant>
 
 #include "core/io/losses.h"
 #include "core/io/point_lines.h"
 #include "core/io/row_blocks.h"
+#include "core/io/text_columns.h"
 
 namespace stipple {
 
@@ -36,9 +38,10 @@ void writeRows(OutputFile& file, const PointSet& points, std::span<const Attribu
   });
 }
 
+// What readers would take for a separator or a quote becomes a line.
 std::string withoutBlanks(std::string name) {
   for (char& c : name) {
-    if (static_cast<unsigned char>(c) <= ' ' || c == ',' || c == ';') c = '_';
+    if (static_cast<unsigned char>(c) <= ' ' || c == ',' || c == ';' || c == '"') c = '_';
   }
   return name;
 }
@@ -57,14 +60,22 @@ std::vector<std::string> columnNames(const Attribute& attribute) {
 std::vector<std::string> writeNamed(OutputFile& file, const PointSet& points, std::string_view begin,
                                     char separator, Progress& progress) {
   std::vector<const Attribute*> attributes;
+  std::vector<std::string> losses;
   std::string header = fmt::format("{}x{}y{}z", begin, separator, separator);
+  std::set<std::string> usedNames = {"x", "y", "z"};
   for (const Attribute& attribute : points.attributes()) {
     attributes.push_back(&attribute);
-    for (const std::string& name : columnNames(attribute)) header += separator + name;
+    for (const std::string& wanted : columnNames(attribute)) {
+      std::string name = wanted;
+      while (!usedNames.insert(canonicalColumnName(name)).second) name += '_';
+      if (name != wanted) {
+        losses.push_back(fmt::format("column '{}' is written as '{}', the name is taken", wanted, name));
+      }
+      header += separator + name;
+    }
   }
   file.write(header + '\n');
   writeRows(file, points, attributes, separator, progress);
-  std::vector<std::string> losses;
   if (!points.triangles().empty()) {
     losses.push_back(fmt::format("{} triangles cannot be held by this format and are left out",
                                  points.triangles().size()));

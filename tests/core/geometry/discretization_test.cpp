@@ -45,6 +45,7 @@ TEST(Discretization, RefusesWhatItCannotDo) {
   const PointSet points(shapes::randomSphere(100));
   EXPECT_THROW(discretize(points, {.k = 3}, progress), InvalidInput);
   EXPECT_THROW(discretize(points, {.minAngle = 0.3}, progress), InvalidInput);
+  EXPECT_THROW(discretize(PointSet({{0, 0, 0}, {1e30f, 0, 0}, {0, 1e30f, 0}}), {}, progress), InvalidInput);
   EXPECT_NO_THROW(discretize(points, {.scheme = Scheme::kPaper, .minAngle = 0.3}, progress));
 }
 

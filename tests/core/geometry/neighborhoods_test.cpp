@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
-#include <numeric>
+#include <limits>
 
 #include "tests/support/shapes.h"
 
@@ -103,6 +102,32 @@ TEST(Neighborhoods, CapThinsTheBallEvenly) {
     EXPECT_LE(found.of(i).size(), 50u);
     EXPECT_GE(found.of(i).size(), 26u);
     EXPECT_GT(found.squaredDistancesOf(i).back(), 0.17f * 0.17f);  // it still reaches the rim
+  }
+}
+
+// All but one site share a cell of the lattice. Measuring all pairs of so many takes longer than a test may.
+TEST(Neighborhoods, OneOutlierVeryFarAwayCostsNothing) {
+  for (const float distance : {1e9f, 1e30f}) {
+    auto points = shapes::randomSphere(200000);
+    points.emplace_back(distance, distance, distance);
+    const Sites sites = weldAndOrder(points);
+    const Neighborhoods found = findNeighborhoods(sites, {.k = 16});
+    for (Index i = 0; i < sites.size() - 1; i += 20000) {
+      const auto expected = bruteForce(sites, i);
+      ASSERT_EQ(found.of(i).size(), 16u);
+      for (std::size_t j = 0; j < 16; ++j) ASSERT_EQ(found.squaredDistancesOf(i)[j], expected[j].first);
+    }
+    // Squares of distances beyond 1e19 are no floats.
+    EXPECT_EQ(found.of(sites.siteOfPoint.back()).size(), distance > 1e19f ? 0u : 16u);
+  }
+}
+
+TEST(Neighborhoods, MedianSpacingAtAnyScaleIsANumber) {
+  for (const float scale : {1e-40f, 1e-30f, 1e30f, 1e38f}) {
+    auto points = shapes::randomSphere(100);
+    for (auto& p : points) p *= scale;
+    const float spacing = medianSpacing(weldAndOrder(points));
+    EXPECT_EQ(spacing, scale < 1 ? 0 : std::numeric_limits<float>::infinity()) << scale;
   }
 }
 

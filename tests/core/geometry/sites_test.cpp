@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
+#include <string>
 
+#include "core/error.h"
 #include "core/geometry/morton.h"
 #include "tests/support/shapes.h"
 
@@ -48,6 +51,34 @@ TEST(Sites, FiveThousandPointsAtOnePlaceAreOneSite) {
   const Sites sites = weldAndOrder(points);
   EXPECT_EQ(sites.size(), 1u);
   EXPECT_EQ(sites.pointOfSite, std::vector<Index>{0});
+}
+
+TEST(Sites, CoordinatesThatAreNotFiniteAreRefusedByName) {
+  for (const float value :
+       {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    auto points = shapes::randomSphere(100);
+    points[17].y() = value;
+    try {
+      weldAndOrder(points);
+      FAIL() << value;
+    } catch (const InvalidInput& error) {
+      EXPECT_NE(std::string(error.what()).find("position[17]"), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(Sites, ScalesWhoseSquaresAreNoFloatsAreRefused) {
+  for (const float scale : {1e-30f, 1e-19f, 1e20f, 1e37f}) {
+    auto points = shapes::randomSphere(1000);
+    for (auto& p : points) p *= scale;
+    EXPECT_THROW(requireUsableScale(weldAndOrder(points)), InvalidInput) << scale;
+  }
+  for (const float scale : {1e-15f, 1.f, 1e18f}) {
+    auto points = shapes::randomSphere(1000);
+    for (auto& p : points) p *= scale;
+    points.emplace_back(1e30f, 0.f, 0.f);  // an outlier spoils nothing
+    EXPECT_NO_THROW(requireUsableScale(weldAndOrder(points))) << scale;
+  }
 }
 
 TEST(Sites, NoPointsNoSites) {

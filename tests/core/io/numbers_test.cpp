@@ -71,6 +71,22 @@ TEST(LineReader, LinesLongerThanTheWindowAndWithoutAnEnd) {
   EXPECT_FALSE(lines.next(line));
 }
 
+TEST(LineReader, SkipsAByteOrderMarkAndTakesCrForTheEndOfLines) {
+  const auto linesOf = [](std::string_view content) {
+    const InputFile file("a", std::as_bytes(std::span(content.data(), content.size())));
+    LineReader lines(file);
+    std::vector<std::string> found;
+    for (std::string_view line; lines.next(line);) found.emplace_back(line);
+    return found;
+  };
+  EXPECT_EQ(linesOf("\xEF\xBB\xBF"
+                    "x\ny"),
+            (std::vector<std::string>{"x", "y"}));
+  EXPECT_EQ(linesOf("x\ry\r\rz"), (std::vector<std::string>{"x", "y", "", "z"}));
+  EXPECT_EQ(linesOf("x\ry\n"), (std::vector<std::string>{"x\ry"}));
+  EXPECT_EQ(linesOf("\xEF\xBB\xBF"), std::vector<std::string>{});
+}
+
 TEST(ByteCursor, TakesAcrossWindowsAndStopsAtTheEnd) {
   std::string content(3000000, '\0');
   for (std::size_t i = 0; i < content.size(); ++i) content[i] = static_cast<char>(i * 7 % 251);

@@ -42,6 +42,13 @@ TEST(ObjReader, VerticesPolygonsAndNegativeIndices) {
   EXPECT_THAT(result.warnings, IsEmpty());
 }
 
+TEST(ObjReader, ABackslashMayBeTheLastCharacterOfTheFile) {
+  const auto result = readFromText("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 \\\n3 \\");
+  EXPECT_THAT(result.points.triangles(), ElementsAre(Triangle{0, 1, 2}));
+  EXPECT_THAT(result.warnings, IsEmpty());
+  EXPECT_EQ(readFromText("a.obj", "v 0 0 0\nv 1 0 0\\").points.size(), 2u);
+}
+
 TEST(ObjReader, NormalsAreTheMeanOfTheCornersThatShareAVertex) {
   const PointSet points = readFromText("a.obj",
                                        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvn 0 0 2\nvn 0 1 0\n"
@@ -76,6 +83,18 @@ TEST(ObjReader, ColorsOfTheTextureOfTheMaterial) {
   const auto result = read(folder / "a.obj");
   EXPECT_THAT(result.points.values<Rgba8>("color"),
               ElementsAre(Rgba8{255, 0, 0}, Rgba8{0, 255, 0}, Rgba8{0, 0, 255}, Rgba8{255, 255, 255}));
+  EXPECT_THAT(result.warnings, IsEmpty());
+}
+
+TEST(ObjReader, NamesOfMaterialsAndTexturesMayHaveBlanks) {
+  const TemporaryFolder folder;
+  writeSmallPng(folder / "my image.png");
+  setContent(folder / "my paints.mtl", "newmtl red paint\nmap_Kd -s 1 1 1 my image.png\n");
+  setContent(folder / "a.obj",
+             "mtllib my paints.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0.25 0.75\nusemtl red paint\n"
+             "f 1/1 2/1 3/1\n");
+  const auto result = read(folder / "a.obj");
+  EXPECT_THAT(result.points.values<Rgba8>("color"), testing::Each(Rgba8{255, 0, 0}));
   EXPECT_THAT(result.warnings, IsEmpty());
 }
 

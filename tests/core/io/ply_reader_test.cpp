@@ -208,6 +208,14 @@ TEST(PlyReader, FacesCutOffAfterCompleteVerticesAreAWarning) {
   }
 }
 
+TEST(PlyReader, FacesWithoutAListOfPointsAreAWarning) {
+  const std::string header = "element vertex 1\n" + std::string(kXyz) +
+                             "element face 1\nproperty list uchar double vertex_indices\n";
+  const auto result = readFromText("a.ply", asciiPly(header, "0 0 0\n3 0 0 0\n"));
+  EXPECT_TRUE(result.points.triangles().empty());
+  EXPECT_THAT(result.warnings, ElementsAre(HasSubstr("faces have no list")));
+}
+
 TEST(PlyReader, TruncatedVerticesNameBothCounts) {
   const std::string header = "element vertex 3\n" + std::string(kXyz);
   EXPECT_EQ(errorOfText("a.ply", asciiPly(header, "0 0 0\n1 0 0\n1 1")),

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/core/io/read_from_text.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/support/test_data.h"
@@ -13,6 +15,7 @@ namespace {
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::StartsWith;
 using testing::UnorderedElementsAre;
 
@@ -54,6 +57,35 @@ TEST(PointIo, ContentDecidesTheFormatNotTheName) {
                          "property float z\nend_header\n1 2 3\n")
                 .points.size(),
             1u);
+}
+
+// Three points, and a triangle where the format has them.
+constexpr std::pair<const char*, const char*> kSmallFiles[] = {
+    {"a.ply",
+     "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+     "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+    {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+    {"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+    {"a.xyz", "0 0 0\n1 0 0\n0 1 0\n"},
+    {"a.csv", "x,y,z\n0,0,0\n1,0,0\n0,1,0\n"},
+    {"a.pts", "3\n0 0 0\n1 0 0\n0 1 0\n"}};
+
+TEST(PointIo, ByteOrderMarksAndTheLineEndsOfOldMacsChangeNothing) {
+  for (const auto& [name, content] : kSmallFiles) {
+    const auto expected = readFromText(name, content);
+    ASSERT_EQ(expected.points.size(), 3u) << name;
+    std::string mac = content;
+    std::ranges::replace(mac, '\n', '\r');
+    for (const std::string& same : {std::string("\xEF\xBB\xBF") + content, mac}) {
+      const auto result = readFromText(name, same);
+      EXPECT_TRUE(
+          sameBits(result.points.positionColumn().values(), expected.points.positionColumn().values()))
+          << name;
+      EXPECT_TRUE(result.points.triangles() == expected.points.triangles()) << name;
+      EXPECT_TRUE(result.points.attributes().empty()) << name;
+      EXPECT_THAT(result.warnings, IsEmpty()) << name;
+    }
+  }
 }
 
 TEST(PointIo, KnownKindsThatAreNotReadSayWhatToConvertThemTo) {
@@ -151,6 +183,20 @@ TEST(PointIo, LossesAreNamed) {
   points.edit<Rgba8>("color")[0].a = 7;
   EXPECT_THAT(write(folder / "a.xyz", points),
               UnorderedElementsAre(HasSubstr("'heat'"), HasSubstr("1 triangles"), HasSubstr("opacity")));
+}
+
+TEST(PointIo, ColumnsOfTextHaveNamesThatTheReaderTellsApart) {
+  const TemporaryFolder folder;
+  PointSet points(std::vector<Eigen::Vector3f>{{1, 2, 3}});
+  float value = 0;
+  for (const char* name : {"X", "a b", "a,b", "\"", "heat"}) points.set(name, std::vector<float>{++value});
+  EXPECT_THAT(write(folder / "a.csv", points),
+              ElementsAre(HasSubstr("'X' is written as 'X_'"), HasSubstr("'a_b' is written as 'a_b_'")));
+  const PointSet back = read(folder / "a.csv").points;
+  value = 0;
+  for (const char* name : {"X_", "a_b", "a_b_", "_", "heat"}) {
+    EXPECT_THAT(back.values<float>(name), ElementsAre(++value)) << name;
+  }
 }
 
 TEST(PointIo, EveryByteOfColorSurvivesObj) {

@@ -79,6 +79,12 @@ TEST(TextReader, BadLinesAreNamed) {
   EXPECT_THAT(errorOfText("a.xyz", "# nothing\n"), HasSubstr("0 points"));
 }
 
+TEST(TextReader, RowsOfVeryManyNumbersAreRefused) {
+  std::string line;
+  for (int c = 0; c < 5000; ++c) line += "1 ";
+  EXPECT_EQ(errorOfText("a.xyz", line + "\n"), "a.xyz: has 5000 numbers a point, at most 4096 are read");
+}
+
 TEST(TextReader, NotFiniteRowsAreDropped) {
   const auto result = readFromText("a.xyz", "1 2 3\nnan 0 0\n1.#QNAN 0 0\n1.#INF 0 0\n4 5 6\n");
   EXPECT_EQ(result.dropped, 3u);
