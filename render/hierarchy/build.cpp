@@ -11,6 +11,8 @@ namespace stipple {
 namespace {
 
 constexpr std::size_t kGrain = 1 << 14;
+// Leaves between asking for memory and using it.
+constexpr Index kAhead = 24;
 // Disc of a leaf of a block over the spacing: random points leave one of a thousand places bare.
 constexpr float kBlockRadius = 1.8f;
 // The same for a radius that came with the points: drawn discs overlap so that they just blend.
@@ -22,6 +24,15 @@ class LeafFiller {
   LeafFiller(const LeafAttributes& leaves, std::span<const PlacedPoint> slots, const Progress* progress)
       : leaves_(leaves), slots_(slots), least_(leastRadius()) {
     if (leaves.radii.empty() || leaves.normals.empty()) blocks_ = estimateBlocks(slots, progress);
+  }
+
+  // Files come in any order: what a leaf reads is asked for before it is its turn.
+  void prefetch(Index slot) const {
+    const Index point = slots_[slot].point;
+    if (!leaves_.normals.empty()) __builtin_prefetch(&leaves_.normals[point]);
+    if (!leaves_.colors.empty()) __builtin_prefetch(&leaves_.colors[point]);
+    if (!leaves_.radii.empty()) __builtin_prefetch(&leaves_.radii[point]);
+    if (!leaves_.areas.empty()) __builtin_prefetch(&leaves_.areas[point]);
   }
 
   Splat fill(Index slot) const {
@@ -38,12 +49,17 @@ class LeafFiller {
       splat.radius = std::max(leaves_.radii[point], least_);
       side = leaves_.areas.empty() ? splat.radius / kGivenRadius : std::sqrt(leaves_.areas[point]);
     }
-    splat.shape = packShape(normalOf(slot, point), side / splat.radius);
+    splat.shape = packNormal(normalOf(slot, point)) | ratioBits(side / splat.radius);
     splat.color = leaves_.colors.empty() ? kGray : leaves_.colors[point];
     return splat;
   }
 
  private:
+  // All leaves of blocks have one ratio.
+  std::uint32_t ratioBits(float ratio) const {
+    return leaves_.radii.empty() ? blockRatio_ : packShape({0, 0, 1}, ratio) & 0xff000000;
+  }
+
   glm::vec3 normalOf(Index slot, Index point) const {
     if (!leaves_.normals.empty()) {
       const Eigen::Vector3f& n = leaves_.normals[point];
@@ -69,6 +85,7 @@ class LeafFiller {
   const LeafAttributes& leaves_;
   std::span<const PlacedPoint> slots_;
   float least_;
+  std::uint32_t blockRatio_ = packShape({0, 0, 1}, 1 / kBlockRadius) & 0xff000000;
   std::vector<BlockEstimate> blocks_;
 };
 
@@ -79,13 +96,17 @@ Hierarchy buildHierarchy(const LeafAttributes& leaves, LeafOrder order, const Pr
   Hierarchy hierarchy(count);
   hierarchy.pointOfSlot.resize(count);
   hierarchy.slotOfPoint.resize(count);
-  const std::vector<PlacedPoint> slots = orderLeaves(leaves.positions, order, progress);
+  const RawVector<PlacedPoint> slots = orderLeaves(leaves.positions, order, progress);
   const LeafFiller filler(leaves, slots, progress);
   const std::span<Splat> splats = hierarchy.editSplats();
   parallelFor(
       count, kGrain,
       [&](std::size_t begin, std::size_t end) {
         for (auto slot = static_cast<Index>(begin); slot < end; ++slot) {
+          if (slot + kAhead < count) {
+            filler.prefetch(slot + kAhead);
+            __builtin_prefetch(&hierarchy.slotOfPoint[slots[slot + kAhead].point], 1);
+          }
           const Index point = slots[slot].point;
           hierarchy.pointOfSlot[slot] = point;
           hierarchy.slotOfPoint[point] = slot;

@@ -6,6 +6,7 @@
 
 #include "core/progress.h"
 #include "render/hierarchy/hierarchy.h"
+#include "render/hierarchy/raw_vector.h"
 
 namespace stipple {
 
@@ -33,7 +34,7 @@ struct PlacedPoint {
 
 /// The points slot by slot: left-balanced kd order (median splits at powers of two along the longest axis),
 /// or along the Morton curve.
-std::vector<PlacedPoint> orderLeaves(std::span<const Eigen::Vector3f> positions, LeafOrder order,
-                                     const Progress* progress = nullptr);
+RawVector<PlacedPoint> orderLeaves(std::span<const Eigen::Vector3f> positions, LeafOrder order,
+                                   const Progress* progress = nullptr);
 
 }  // namespace stipple

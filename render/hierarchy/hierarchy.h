@@ -9,6 +9,7 @@
 
 #include "core/parallel.h"
 #include "core/points/attribute.h"
+#include "render/hierarchy/raw_vector.h"
 #include "render/hierarchy/view.h"
 
 namespace stipple {
@@ -87,7 +88,7 @@ class Hierarchy {
   }
 
   /// Slots are leaves: point of slot, slot of point.
-  std::vector<Index> pointOfSlot, slotOfPoint;
+  RawVector<Index> pointOfSlot, slotOfPoint;
   /// The surface is closed and its normals point outwards: what faces away may be left out.
   bool isClosedAndOriented = false;
 

@@ -19,15 +19,14 @@ struct CodedPoint {
 // fits into memory. Blocks count and scatter in parallel.
 class MortonSort {
  public:
-  MortonSort(std::vector<CodedPoint>& points, const Progress* progress)
-      : points_(points), progress_(progress) {
+  MortonSort(RawVector<CodedPoint>& points, const Progress* progress) : points_(points), progress_(progress) {
     const std::size_t blocks = std::clamp<std::size_t>(points.size() / kLeastBlock, 1, kMostBlocks);
     block_ = std::max<std::size_t>(1, (points.size() + blocks - 1) / blocks);
     counts_.resize((points.size() + block_ - 1) / block_);
   }
 
   void sort() {
-    std::vector<CodedPoint> other(points_.size());
+    RawVector<CodedPoint> other(points_.size());
     for (int shift = 3 * MortonLattice::kBits - 4 * kDigitBits; shift < 3 * MortonLattice::kBits;
          shift += kDigitBits) {
       count(shift);
@@ -66,7 +65,7 @@ class MortonSort {
     return isNeeded;
   }
 
-  void scatter(int shift, std::vector<CodedPoint>& other) {
+  void scatter(int shift, RawVector<CodedPoint>& other) {
     parallelFor(
         points_.size(), block_,
         [&](std::size_t begin, std::size_t end) {
@@ -76,15 +75,15 @@ class MortonSort {
         progress_);
   }
 
-  std::vector<CodedPoint>& points_;
+  RawVector<CodedPoint>& points_;
   const Progress* progress_;
   std::size_t block_ = 1;
   std::vector<std::array<Index, kDigits>> counts_;
 };
 
-std::vector<PlacedPoint> mortonOrder(std::span<const Eigen::Vector3f> positions, const Progress* progress) {
+RawVector<PlacedPoint> mortonOrder(std::span<const Eigen::Vector3f> positions, const Progress* progress) {
   const MortonLattice lattice = fitMortonLattice(positions);
-  std::vector<CodedPoint> points(positions.size());
+  RawVector<CodedPoint> points(positions.size());
   parallelFor(
       points.size(), 1 << 16,
       [&](std::size_t begin, std::size_t end) {
@@ -93,7 +92,7 @@ std::vector<PlacedPoint> mortonOrder(std::span<const Eigen::Vector3f> positions,
       },
       progress);
   MortonSort(points, progress).sort();
-  std::vector<PlacedPoint> order(points.size());
+  RawVector<PlacedPoint> order(points.size());
   parallelFor(
       points.size(), 1 << 14,
       [&](std::size_t begin, std::size_t end) {
@@ -138,9 +137,9 @@ void splitRecursively(std::span<PlacedPoint> points, const Progress* progress) {
 
 }  // namespace
 
-std::vector<PlacedPoint> orderLeaves(std::span<const Eigen::Vector3f> positions, LeafOrder order,
-                                     const Progress* progress) {
-  std::vector<PlacedPoint> points = mortonOrder(positions, progress);
+RawVector<PlacedPoint> orderLeaves(std::span<const Eigen::Vector3f> positions, LeafOrder order,
+                                   const Progress* progress) {
+  RawVector<PlacedPoint> points = mortonOrder(positions, progress);
   // From the Morton order, where points that stand together fall on one side together: branches are foreseen.
   if (order == LeafOrder::kKd) splitRecursively(points, progress);
   return points;

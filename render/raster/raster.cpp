@@ -37,7 +37,7 @@ void Raster::draw(std::span<const Splat> splats, std::span<const Index> nodes, c
   std::vector<std::uint32_t> tiles(static_cast<std::size_t>(lists_.columns) * lists_.rows);
   std::iota(tiles.begin(), tiles.end(), 0u);
   drawTiles(tiles, frame, progress);
-  finisher_.takeDepth(frame, view_, progress);
+  if (appearance.edgeStrength > 0) finisher_.takeDepth(frame, view_, progress);
   parallelFor(
       frame.height, Tile::kSize,
       [&](std::size_t begin, std::size_t end) {

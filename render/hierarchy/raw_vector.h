@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace stipple {
+
+/// Leaves elements that are not given a value as they are: pages of large arrays are touched first by the
+/// threads that fill them.
+template <class T>
+struct RawAllocator : std::allocator<T> {
+  template <class U>
+  struct rebind {
+    using other = RawAllocator<U>;
+  };
+  template <class U, class... Arguments>
+  void construct(U* place, Arguments&&... arguments) {
+    if constexpr (sizeof...(Arguments) == 0) {
+      ::new (static_cast<void*>(place)) U;
+    } else {
+      ::new (static_cast<void*>(place)) U(std::forward<Arguments>(arguments)...);
+    }
+  }
+};
+template <class T>
+using RawVector = std::vector<T, RawAllocator<T>>;
+
+}  // namespace stipple
