@@ -59,31 +59,40 @@ Eigen::Vector3f fitNormal(const Block& x, int count) {
   return solver.eigenvectors().col(0);
 }
 
+int takeBlock(std::span<const PlacedPoint> leaves, std::size_t block, Block& x) {
+  const std::size_t first = block * kLeavesOfBlock;
+  const int count = static_cast<int>(std::min<std::size_t>(kLeavesOfBlock, leaves.size() - first));
+  for (int i = 0; i < count; ++i) x[i] = leaves[first + i].position;
+  return count;
+}
+
 }  // namespace
 
-std::vector<BlockEstimate> estimateBlocks(std::span<const PlacedPoint> leaves, const Progress* progress) {
+std::vector<float> estimateBlockSpacings(std::span<const PlacedPoint> leaves, const Progress* progress) {
   const std::size_t blocks = (leaves.size() + kLeavesOfBlock - 1) / kLeavesOfBlock;
-  std::vector<BlockEstimate> estimates(blocks);
+  std::vector<float> spacings(blocks);
   parallelFor(
       blocks, 1024,
       [&](std::size_t begin, std::size_t end) {
         Block x;
-        for (std::size_t block = begin; block < end; ++block) {
-          const std::size_t first = block * kLeavesOfBlock;
-          const int count = static_cast<int>(std::min<std::size_t>(kLeavesOfBlock, leaves.size() - first));
-          for (int i = 0; i < count; ++i) x[i] = leaves[first + i].position;
-          estimates[block] = {kRim * std::sqrt(squaredSpacing(x, count)), fitNormal(x, count)};
-        }
+        for (std::size_t block = begin; block < end; ++block)
+          spacings[block] = kRim * std::sqrt(squaredSpacing(x, takeBlock(leaves, block, x)));
       },
       progress);
   // What has no distances of its own (few points, copies of one place) is like its neighbor.
   for (std::size_t block = 1; block < blocks; ++block) {
-    if (!(estimates[block].spacing > 0)) estimates[block].spacing = estimates[block - 1].spacing;
+    if (!(spacings[block] > 0)) spacings[block] = spacings[block - 1];
   }
-  for (std::size_t block = blocks; block-- > 1;) {
-    if (!(estimates[block - 1].spacing > 0)) estimates[block - 1].spacing = estimates[block].spacing;
+  for (std::size_t block = blocks; block > 1; --block) {
+    if (!(spacings[block - 2] > 0)) spacings[block - 2] = spacings[block - 1];
   }
-  return estimates;
+  return spacings;
+}
+
+Eigen::Vector3f fitBlockNormal(std::span<const PlacedPoint> leaves, std::size_t block) {
+  Block x;
+  const int count = takeBlock(leaves, block, x);
+  return fitNormal(x, count);
 }
 
 }  // namespace stipple

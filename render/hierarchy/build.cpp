@@ -23,7 +23,8 @@ class LeafFiller {
  public:
   LeafFiller(const LeafAttributes& leaves, std::span<const PlacedPoint> slots, const Progress* progress)
       : leaves_(leaves), slots_(slots), least_(leastRadius()) {
-    if (leaves.radii.empty() || leaves.normals.empty()) blocks_ = estimateBlocks(slots, progress);
+    if (leaves.radii.empty()) spacings_ = estimateBlockSpacings(slots, progress);
+    if (leaves.normals.empty()) fitNormals(progress);
   }
 
   // Files come in any order: what a leaf reads is asked for before it is its turn.
@@ -43,7 +44,7 @@ class LeafFiller {
     splat.z = p.z();
     float side = 0;
     if (leaves_.radii.empty()) {
-      side = std::max(blocks_[slot / kLeavesOfBlock].spacing, least_);
+      side = std::max(spacings_[slot / kLeavesOfBlock], least_);
       splat.radius = kBlockRadius * side;
     } else {
       splat.radius = std::max(leaves_.radii[point], least_);
@@ -60,13 +61,22 @@ class LeafFiller {
     return leaves_.radii.empty() ? blockRatio_ : packShape({0, 0, 1}, ratio) & 0xff000000;
   }
 
+  void fitNormals(const Progress* progress) {
+    normals_.resize((slots_.size() + kLeavesOfBlock - 1) / kLeavesOfBlock);
+    parallelFor(
+        normals_.size(), kGrain / kLeavesOfBlock,
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t block = begin; block < end; ++block)
+            normals_[block] = fitBlockNormal(slots_, block);
+        },
+        progress);
+  }
+
   glm::vec3 normalOf(Index slot, Index point) const {
-    if (!leaves_.normals.empty()) {
-      const Eigen::Vector3f& n = leaves_.normals[point];
-      if (n.squaredNorm() > 0) return {n.x(), n.y(), n.z()};
-    }
-    if (blocks_.empty()) return {0, 0, 1};
-    const Eigen::Vector3f& n = blocks_[slot / kLeavesOfBlock].normal;
+    Eigen::Vector3f n = Eigen::Vector3f::Zero();
+    if (!leaves_.normals.empty()) n = leaves_.normals[point];
+    if (n.isZero(0))
+      n = normals_.empty() ? fitBlockNormal(slots_, slot / kLeavesOfBlock) : normals_[slot / kLeavesOfBlock];
     return {n.x(), n.y(), n.z()};
   }
 
@@ -86,7 +96,8 @@ class LeafFiller {
   std::span<const PlacedPoint> slots_;
   float least_;
   std::uint32_t blockRatio_ = packShape({0, 0, 1}, 1 / kBlockRadius) & 0xff000000;
-  std::vector<BlockEstimate> blocks_;
+  std::vector<float> spacings_;
+  std::vector<Eigen::Vector3f> normals_;
 };
 
 }  // namespace
