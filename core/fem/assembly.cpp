@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "core/geometry/fan_weights.h"
+
 namespace stipple {
 
 namespace {
@@ -27,7 +29,7 @@ SparseMatrix assembleSpokes(const Discretization& d, Factor&& factor, const Prog
 
 struct Element {
   Eigen::Vector3d gradients[3];  // of the three linear functions
-  double area = 0;
+  double area = 0;               // smaller where the element is stiffer than kMostWeight
 };
 
 Element makeElement(const Discretization& d, const Triangle& t) {
@@ -39,6 +41,12 @@ Element makeElement(const Discretization& d, const Triangle& t) {
   if (!(element.area > 0)) return element;
   const Eigen::Vector3d turn = cross / cross.squaredNorm();
   for (std::size_t c = 0; c < 3; ++c) element.gradients[c] = turn.cross(x[(c + 2) % 3] - x[(c + 1) % 3]);
+  // A needle conducts no more than the weights of fans may.
+  double steepest = 0;
+  for (const Eigen::Vector3d& gradient : element.gradients) {
+    steepest = std::max(steepest, gradient.squaredNorm());
+  }
+  element.area = std::min(element.area, kMostWeight / steepest);
   return element;
 }
 

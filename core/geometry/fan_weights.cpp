@@ -96,7 +96,7 @@ void FanWeigher::weigh(Index begin, Index end) const {
     const bool useCell = !paper_ && !fans_.open[site] && sums.cellIsSound(spokes);
     result_.mass[site] = useCell ? sums.cell : sums.area / 3;
     for (std::size_t s = 0; s < flags.size(); ++s) {
-      weights[s] = paper_ ? sums.weights[s] : std::max(0.0, sums.weights[s]);
+      weights[s] = std::clamp(sums.weights[s], paper_ ? -kMostWeight : 0.0, kMostWeight);
     }
   }
 }

@@ -7,6 +7,11 @@
 
 namespace stipple {
 
+/// Largest weight of an edge: the cotangent of an angle of half a millionth, between points that lie closer
+/// than floats tell points apart at the other end of the edge. Beside larger ones rounding swallows the
+/// masses, and factorizations break down.
+constexpr double kMostWeight = 1e6;
+
 /// Per spoke (parallel to fans.neighbors): half the sum of the cotangents facing it, of the triangles of its
 /// own fan. Equal to |Voronoi edge| / |spoke| where the fan is a Delaunay star; dimensionless, >= 0 but for
 /// scheme paper.

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "core/geometry/fan_weights.h"
+
 namespace stipple {
 
 namespace {
@@ -48,7 +50,7 @@ void discretizeMesh(Discretization& d) {
       for (; next < edges.size() && edges[next].from == site && edges[next].to == to; ++next)
         weight += edges[next].weight;
       d.fans.neighbors.push_back(to);
-      d.weights.push_back(weight);
+      d.weights.push_back(std::clamp(weight, -kMostWeight, kMostWeight));
     }
     d.fans.offsets.push_back(static_cast<Index>(d.fans.neighbors.size()));
     const bool alone = normals[site].isZero();

@@ -95,7 +95,7 @@ void requireUsableScale(const Sites& sites) {
   }
   const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(steps / 2);
   std::nth_element(lengths.begin(), middle, lengths.end());
-  constexpr double kLeast = 1e-18, kMost = 1e18;
+  constexpr double kLeast = 1e-15, kMost = 1e15;
   if (*middle < kLeast || *middle > kMost) {
     throw InvalidInput(fmt::format("the points lie about {:.2g} apart, expected {:g} to {:g}: scale them",
                                    *middle, kLeast, kMost));

@@ -23,8 +23,8 @@ struct Sites {
 /// Throws InvalidInput where a coordinate is not finite.
 Sites weldAndOrder(std::span<const Eigen::Vector3f> positions);
 
-/// Throws InvalidInput where sites that follow each other lie more than 1e18 or less than 1e-18 apart in the
-/// median: floats cannot hold the squares of their distances. Single sites may lie anywhere.
+/// Throws InvalidInput where sites that follow each other lie more than 1e15 or less than 1e-15 apart in the
+/// median: floats might not hold the squares of distances in the model. Single sites may lie anywhere.
 void requireUsableScale(const Sites& sites);
 
 /// Values of the first file row of each site.

@@ -6,6 +6,7 @@
 #include <Eigen/SparseCholesky>
 #include <numeric>
 
+#include "core/geometry/fan_weights.h"
 #include "core/io/point_io.h"
 #include "tests/support/harmonic_errors.h"
 #include "tests/support/hull_referee.h"
@@ -96,6 +97,26 @@ TEST(Assembly, LinearFunctionsOfAPlaneAreHarmonicInside) {
       if (inside) {
         EXPECT_NEAR(residual[i], 0, 2e-5) << i;
       }
+    }
+  }
+}
+
+// The pole of a sphere that a program wrote as sin(pi) cos(phi), sin(pi) sin(phi), -1: not one place, though
+// nothing beside it is told apart as finely.
+TEST(Assembly, PointsAlmostAtOnePlaceKeepTheMatrixDefinite) {
+  std::vector<Eigen::Vector3f> positions;
+  for (const Eigen::Vector3f& p : shapes::grid(21)) positions.push_back(p - Eigen::Vector3f(0.5f, 0.5f, 0));
+  for (int i = 0; i < 40; ++i) {
+    const float angle = 0.157f * static_cast<float>(i);
+    positions.emplace_back(1.2e-16f * std::cos(angle), 1.2e-16f * std::sin(angle), 0.f);
+  }
+  for (const Scheme scheme : {Scheme::kVoronoi, Scheme::kElement}) {
+    const Discretization d = discretized(PointSet(positions), {.scheme = scheme});
+    const SparseMatrix stiffness = assembleStiffness(d);
+    expectSound(d, stiffness);
+    for (int row = 0; row < stiffness.outerSize(); ++row) {
+      for (SparseMatrix::InnerIterator entry(stiffness, row); entry; ++entry)
+        EXPECT_TRUE(entry.col() == row || std::abs(entry.value()) <= 2 * kMostWeight) << entry.value();
     }
   }
 }
