@@ -148,8 +148,8 @@ INSTANTIATE_TEST_SUITE_P(
                                      "colour/ankylosaurus_mesh.ply", "cc0/fish/fish.obj",
                                      "cc0/spot_oded/spot_11k.obj"),
                      testing::Range(0, 5)),
-    [](const auto& info) {
-      return nameOfScan({std::get<0>(info.param), 0}) + "_" + std::to_string(std::get<1>(info.param));
+    [](const auto& scan) {
+      return nameOfScan({std::get<0>(scan.param), 0}) + "_" + std::to_string(std::get<1>(scan.param));
     });
 
 // Where the bar does not hold yet, with labels, filled and RMS as measured. On the lion the fronts of scheme
