@@ -36,25 +36,12 @@ FramingSphere frame(const PointSet& points, std::span<const float> radii) {
   return {{center.x(), center.y(), center.z()}, radius};
 }
 
-// Mean of the normals of the triangles about a point, weighted by their areas.
-std::vector<Eigen::Vector3f> normalsOfTriangles(const PointSet& points) {
-  const auto positions = points.positions();
-  std::vector<Eigen::Vector3f> normals(points.size(), Eigen::Vector3f::Zero());
-  for (const auto& [a, b, c] : points.triangles()) {
-    const Eigen::Vector3f normal = (positions[b] - positions[a]).cross(positions[c] - positions[a]);
-    for (const Index corner : {a, b, c}) normals[corner] += normal;
-  }
-  for (Eigen::Vector3f& normal : normals) normal.stableNormalize();
-  return normals;
-}
-
 void prepareTriangles(const RenderOptions& options, Scene& scene) {
   if (scene.points.triangles().empty()) {
     throw CommandFailure(
         kUsage, fmt::format("{}: holds no triangles, which --surface mesh would draw", options.input));
   }
   scene.meshNormals = normalsOfFile(scene.points);
-  if (scene.meshNormals.empty()) scene.meshNormals = normalsOfTriangles(scene.points);
   scene.sphere = frame(scene.points, {});
 }
 

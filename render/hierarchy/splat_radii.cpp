@@ -156,6 +156,26 @@ std::vector<float> radiiOfFile(const PointSet& points, const std::vector<float>&
 
 }  // namespace
 
+namespace {
+
+// Mean of the normals of the triangles about a point, weighted by their areas; 0 for points of no triangle.
+std::vector<Eigen::Vector3f> normalsOfTriangles(const PointSet& points) {
+  if (points.triangles().empty()) return {};
+  const auto positions = points.positions();
+  std::vector<Eigen::Vector3f> normals(points.size(), Eigen::Vector3f::Zero());
+  for (const auto& [a, b, c] : points.triangles()) {
+    const Eigen::Vector3f normal = (positions[b] - positions[a]).cross(positions[c] - positions[a]);
+    for (const Index corner : {a, b, c}) normals[corner] += normal;
+  }
+  for (Eigen::Vector3f& normal : normals) {
+    normal.stableNormalize();
+    if (!normal.allFinite()) normal.setZero();
+  }
+  return normals;
+}
+
+}  // namespace
+
 std::vector<Eigen::Vector3f> normalsOfFile(const PointSet& points) {
   for (const char* name : {"display_normal", "normal"}) {
     const Attribute* attribute = points.find(name);
@@ -171,7 +191,7 @@ std::vector<Eigen::Vector3f> normalsOfFile(const PointSet& points) {
     }
     if (any) return normals;
   }
-  return {};
+  return normalsOfTriangles(points);
 }
 
 SurfaceEstimate estimateSurface(const PointSet& points, const Progress* progress) {
