@@ -83,16 +83,22 @@ Image encode(const FrameBuffers& frame, const std::optional<Rgba8>& background) 
   const std::array<float, 256>& linear = linearTable();
   glm::vec3 behind(0);
   if (background) behind = {linear[background->r], linear[background->g], linear[background->b]};
+  const Rgba8 empty =
+      background ? Rgba8{background->r, background->g, background->b, 255} : Rgba8{0, 0, 0, 0};
   parallelFor(frame.light.size(), kRows * 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       glm::vec3 light(frame.light[i]);
       const float coverage = frame.light[i].a;
+      if (coverage == 0) {
+        image.pixels[i] = empty;
+        continue;
+      }
       std::uint8_t alpha = 255;
       if (background) {
         light += (1 - coverage) * behind;
       } else {
         alpha = static_cast<std::uint8_t>(coverage * 255 + 0.5f);
-        if (coverage > 0) light /= coverage;
+        light /= coverage;
       }
       image.pixels[i] = {encodeSrgb(light.r), encodeSrgb(light.g), encodeSrgb(light.b), alpha};
     }

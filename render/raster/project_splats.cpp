@@ -21,10 +21,10 @@ struct Extent {
 
 // Smallest and largest place along one axis of the picture, over the focal length, of a disc in front of the
 // eye: the tangents of the cone through it. n, c along that axis; nz, cz along the line of sight.
-inline Extent tangentsOf(float n, float c, float nz, float cz, float r2) {
-  const float d = r2 * (1 - nz * nz) - cz * cz;
-  const float middle = (-r2 * n * nz - c * cz) / d;
-  const float half = std::sqrt(std::max(0.f, middle * middle - (r2 * (1 - n * n) - c * c) / d));
+// perD: 1 / (r^2 (1 - nz^2) - cz^2), the same for both axes.
+inline Extent tangentsOf(float n, float c, float nz, float cz, float r2, float perD) {
+  const float middle = (-r2 * n * nz - c * cz) * perD;
+  const float half = std::sqrt(std::max(0.f, middle * middle - (r2 * (1 - n * n) - c * c) * perD));
   return {middle - half, middle + half};
 }
 
@@ -127,7 +127,8 @@ class Projector {
     if (r2 * (1 - n.z * n.z) >= 0.99f * c.z * c.z) {  // reaches behind the eye
       return clip(0, static_cast<float>(view_.width), 0, static_cast<float>(view_.height));
     }
-    const Extent x = tangentsOf(n.x, c.x, n.z, c.z, r2), y = tangentsOf(n.y, c.y, n.z, c.z, r2);
+    const float perD = 1 / (r2 * (1 - n.z * n.z) - c.z * c.z);
+    const Extent x = tangentsOf(n.x, c.x, n.z, c.z, r2, perD), y = tangentsOf(n.y, c.y, n.z, c.z, r2, perD);
     return around(out, center_.x + view_.focalPx * x.low, center_.x + view_.focalPx * x.high,
                   center_.y + view_.focalPx * y.low, center_.y + view_.focalPx * y.high);
   }
