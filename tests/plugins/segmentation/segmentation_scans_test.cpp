@@ -157,15 +157,25 @@ INSTANTIATE_TEST_SUITE_P(
 struct Shortfall {
   const char* path;
   int seeding;
+  double labels, filled, signalRms;
 };
-constexpr Shortfall kShortfalls[] = {{"cad/rocker-arm.obj", 4},       // .970, .919, .016
-                                     {"open/lion-head.off", 0},       // .987, .984, .018
-                                     {"open/lion-head.off", 1},       // .975, .974, .023
-                                     {"open/lion-head.off", 4},       // .972, .972, .025
-                                     {"open/camelhead_crlf.off", 0},  // .990 (just below), .990, .016
-                                     {"open/camelhead_crlf.off", 2},  // .989, .989, .016
-                                     {"open/camelhead_crlf.off", 3},  // .986, .986, .018
-                                     {"cc0/fish/fish.obj", 0}};       // .986, .986, .020
+constexpr Shortfall kShortfalls[] = {
+    {"cad/rocker-arm.obj", 4, .970, .919, .016},      {"open/lion-head.off", 0, .987, .984, .018},
+    {"open/lion-head.off", 1, .975, .974, .023},      {"open/lion-head.off", 4, .972, .972, .025},
+    {"open/camelhead_crlf.off", 0, .990, .990, .016}, {"open/camelhead_crlf.off", 2, .989, .989, .016},
+    {"open/camelhead_crlf.off", 3, .986, .986, .018}, {"cc0/fish/fish.obj", 0, .986, .986, .020}};
+
+// The bar: 99 % of labels, signals within 2 % RMS; where it is missed, no farther from it than it was.
+Agreement expectedOf(const std::string& path, int seeding) {
+  constexpr double kRounding = 0.001;
+  for (const Shortfall& s : kShortfalls) {
+    if (path == s.path && seeding == s.seeding)
+      return {.labels = s.labels - kRounding,
+              .filled = s.filled - kRounding,
+              .signalRms = s.signalRms + kRounding};
+  }
+  return {.labels = 0.99, .filled = 0.99, .signalRms = 0.02};
+}
 
 // Every row counts, those on no face too.
 TEST_P(AtDefaultSettings, LabelsAndSignalsOfPointsAndMeshAgree) {
@@ -182,13 +192,10 @@ TEST_P(AtDefaultSettings, LabelsAndSignalsOfPointsAndMeshAgree) {
   const Agreement found = compareSchemes(points, seedsAtTips(points, seeding));
   std::printf("%s, %d labels from row %zu, radius %.2f: labels %.4f, filled %.4f, signal %.4f RMS\n", path,
               seeding.labels, seeding.first, seeding.radius, found.labels, found.filled, found.signalRms);
-  for (const Shortfall& shortfall : kShortfalls) {
-    if (std::string(path) == shortfall.path && choice == shortfall.seeding)
-      GTEST_SKIP() << "short of the bar";
-  }
-  EXPECT_GE(found.labels, 0.99);
-  EXPECT_GE(found.filled, 0.99);
-  EXPECT_LE(found.signalRms, 0.02);
+  const Agreement expected = expectedOf(path, choice);
+  EXPECT_GE(found.labels, expected.labels);
+  EXPECT_GE(found.filled, expected.filled);
+  EXPECT_LE(found.signalRms, expected.signalRms);
 }
 
 TEST(Segmentation, FandiskFallsIntoItsTwelveFaces) {
