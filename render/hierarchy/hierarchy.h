@@ -56,7 +56,7 @@ inline float radiusOfArea(int level) {
 /// What the cut needs of an inner node, about the center of its splat.
 struct Bound {
   float radius = 0;   ///< of the sphere about all descendants' discs
-  float cosine = -1;  ///< of the half angle of the cone about all descendants' normals; -1: no cone
+  float cosine = -1;  ///< of the half angle of the cone about all descendants' normals; <= 0: no cone
 };
 
 /// Splats of all levels in one array: level 0 are the leaves, one a point, in an order that makes every

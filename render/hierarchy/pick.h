@@ -12,7 +12,7 @@ struct Ball {
   float radius = 0;    ///< world units
 };
 
-/// Points whose positions lie in the ball, by ascending slot.
+/// Slots of the leaves whose centers lie in the ball, ascending.
 std::vector<Index> findInBall(const Hierarchy& hierarchy, const Ball& ball);
 
 /// Of those the ones that are seen: projected into the picture, at most `tolerance` (world units) and their
