@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "render/hierarchy/jitter.h"
 #include "render/raster/raster.h"
 #include "render/raster/triangles.h"
 
@@ -12,22 +13,11 @@ namespace {
 constexpr int kSpreadFrames = 16;
 constexpr Rgba8 kGlyphColor{222, 56, 32, 255};  // told from dark and bright surfaces and backgrounds
 
-// The digits of the index in the base, mirrored behind the point (Halton 1960).
-float mirrored(int index, int base) {
-  float value = 0, place = 1;
-  for (; index > 0; index /= base) {
-    place /= static_cast<float>(base);
-    value += place * static_cast<float>(index % base);
-  }
-  return value;
-}
-
 }  // namespace
 
 std::vector<glm::vec2> jitterOf(int supersample) {
   std::vector<glm::vec2> shifts;
-  for (int i = 1; supersample == 0 && i <= kSpreadFrames; ++i)
-    shifts.emplace_back(mirrored(i, 2) - 0.5f, mirrored(i, 3) - 0.5f);
+  for (int i = 0; supersample == 0 && i < kSpreadFrames; ++i) shifts.push_back(jitterOfFrame(i));
   const float step = 1 / static_cast<float>(supersample);
   for (int y = 0; y < supersample; ++y) {
     for (int x = 0; x < supersample; ++x)

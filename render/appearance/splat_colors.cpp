@@ -64,13 +64,20 @@ bool areLabels(const std::string& name, std::span<const T> values) {
   return true;
 }
 
-// Applies color(i) to all points.
+// Which points are colored: all of them, or some.
+struct Chosen {
+  std::size_t count;
+  const Index* rows = nullptr;
+  std::size_t operator[](std::size_t i) const { return rows ? rows[i] : i; }
+};
+
+// Applies color(row) to the chosen points.
 template <class Color>
-std::vector<Rgba8> colorEach(std::size_t count, Color&& color) {
-  std::vector<Rgba8> colors(count);
-  parallelFor(count, kGrain, [&](std::size_t begin, std::size_t end) {
+std::vector<Rgba8> colorEach(const Chosen& chosen, Color&& color) {
+  std::vector<Rgba8> colors(chosen.count);
+  parallelFor(chosen.count, kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      colors[i] = color(i);
+      colors[i] = color(chosen[i]);
       colors[i].a = 0;
     }
   });
@@ -78,30 +85,23 @@ std::vector<Rgba8> colorEach(std::size_t count, Color&& color) {
 }
 
 template <class T>
-std::vector<Rgba8> colorScalars(const PointSet& points, const ColorSource& source,
-                                std::span<const T> values) {
-  const Scale scale(source.range ? *source.range : rangeOf(points, source.attribute));
-  const Colormap map = source.colormap.value_or(Colormap::kViridis);
+std::vector<Rgba8> colorScalars(std::span<const T> values, const Scale& scale, Colormap map,
+                                const Chosen& chosen) {
   // So fine that steps of the table are below those of 8-bit colors.
   constexpr int kSteps = 4096;
   std::array<Rgba8, kSteps + 1> table;
   for (int i = 0; i <= kSteps; ++i) table[i] = mapColor(map, static_cast<double>(i) / kSteps);
-  return colorEach(values.size(), [&](std::size_t i) {
-    const double t = scale(static_cast<double>(values[i]));
+  return colorEach(chosen, [&](std::size_t row) {
+    const double t = scale(static_cast<double>(values[row]));
     if (std::isnan(t)) return mapColor(map, t);
     return table[static_cast<std::size_t>(std::lround(std::clamp(t, 0.0, 1.0) * kSteps))];
   });
 }
 
-std::vector<Rgba8> colorNumbers(const PointSet& points, const ColorSource& source) {
-  const Attribute& attribute = require(points, source.attribute);
-  return withScalars(attribute, [&]<class T>(std::span<const T> values) {
-    if constexpr (std::integral<T>) {
-      if (!source.colormap && !source.range && areLabels(attribute.name, values)) {
-        return colorEach(values.size(), [&](std::size_t i) { return labelColor(values[i]); });
-      }
-    }
-    return colorScalars(points, source, values);
+std::vector<Rgba8> colorLabels(const Attribute& attribute, const Chosen& chosen) {
+  return withScalars(attribute, [&](auto values) {
+    return colorEach(chosen,
+                     [&](std::size_t row) { return labelColor(static_cast<std::int64_t>(values[row])); });
   });
 }
 
@@ -113,26 +113,9 @@ Rgba8 directionColor(const Eigen::Vector3f& vector) {
   return {channel(0), channel(1), channel(2), 0};
 }
 
-std::vector<Rgba8> baseColors(const PointSet& points, const ColorSource& source) {
-  if (source.attribute.empty()) {
-    const Attribute* color = points.find("color");
-    if (!color || color->type() != AttributeType::kColor) return std::vector<Rgba8>(points.size(), kPlain);
-    const auto values = color->column.view<Rgba8>();
-    return colorEach(values.size(), [&](std::size_t i) { return values[i]; });
-  }
-  const Attribute& attribute = require(points, source.attribute);
-  switch (attribute.type()) {
-    case AttributeType::kColor: {
-      const auto values = attribute.column.view<Rgba8>();
-      return colorEach(values.size(), [&](std::size_t i) { return values[i]; });
-    }
-    case AttributeType::kVector3: {
-      const auto values = attribute.column.view<Eigen::Vector3f>();
-      return colorEach(values.size(), [&](std::size_t i) { return directionColor(values[i]); });
-    }
-    default:
-      return colorNumbers(points, source);
-  }
+std::vector<Rgba8> colorVectors(const Attribute& attribute, const Chosen& chosen) {
+  const auto values = attribute.column.view<Eigen::Vector3f>();
+  return colorEach(chosen, [&](std::size_t row) { return directionColor(values[row]); });
 }
 
 // Gray of the same luminance (Rec. 709) at saturation 0, the color itself at 1.
@@ -145,16 +128,59 @@ Rgba8 fade(const Rgba8& color, float saturation) {
   return {channel(r), channel(g), channel(b), color.a};
 }
 
-void fadeColors(const PointSet& points, const std::string& attribute, std::vector<Rgba8>& colors) {
-  const Scale scale(rangeOf(points, attribute));
-  withScalars(require(points, attribute), [&](auto values) {
+void fadeColors(const Attribute& attribute, const Scale& scale, const Chosen& chosen,
+                std::vector<Rgba8>& colors) {
+  withScalars(attribute, [&](auto values) {
     parallelFor(colors.size(), kGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        const double t = scale(static_cast<double>(values[i]));
+        const double t = scale(static_cast<double>(values[chosen[i]]));
         colors[i] = fade(colors[i], std::isnan(t) ? 0 : static_cast<float>(std::clamp(t, 0.0, 1.0)));
       }
     });
   });
+}
+
+PointColors::Kind kindOf(const PointSet& points, const ColorSource& source) {
+  using Kind = PointColors::Kind;
+  if (source.attribute.empty()) {
+    const Attribute* color = points.find("color");
+    return color && color->type() == AttributeType::kColor ? Kind::kColors : Kind::kPlain;
+  }
+  const Attribute& attribute = require(points, source.attribute);
+  if (attribute.type() == AttributeType::kColor) return Kind::kColors;
+  if (attribute.type() == AttributeType::kVector3) return Kind::kDirections;
+  const bool areKinds = withScalars(attribute, [&]<class T>(std::span<const T> values) {
+    if constexpr (std::integral<T>)
+      return !source.colormap && !source.range && areLabels(attribute.name, values);
+    else
+      return false;
+  });
+  return areKinds ? Kind::kLabels : Kind::kNumbers;
+}
+
+std::vector<Rgba8> colorChosen(const PointSet& points, const PointColors& colors, const Chosen& chosen) {
+  using Kind = PointColors::Kind;
+  if (colors.kind() == Kind::kPlain) return std::vector<Rgba8>(chosen.count, kPlain);
+  const std::string& name = colors.source().attribute;
+  const Attribute& attribute = require(points, name.empty() ? "color" : name);
+  switch (colors.kind()) {
+    case Kind::kDirections:
+      return colorVectors(attribute, chosen);
+    case Kind::kLabels:
+      return colorLabels(attribute, chosen);
+    case Kind::kNumbers:
+      return withScalars(attribute, [&](auto values) {
+        return colorScalars(values, Scale(colors.range()), colors.colormap(), chosen);
+      });
+    default:
+      break;
+  }
+  const std::span<const Rgba8> values = points.values<Rgba8>(attribute.name);
+  return colorEach(chosen, [&](std::size_t row) { return values[row]; });
+}
+
+bool isNotZero(double value) {
+  return value != 0 && !std::isnan(value);
 }
 
 }  // namespace
@@ -176,19 +202,46 @@ std::pair<double, double> rangeOf(const PointSet& points, const std::string& att
   });
 }
 
-std::vector<Rgba8> colorPoints(const PointSet& points, const ColorSource& source) {
-  if (source.range && !(source.range->first < source.range->second)) {
+PointColors::PointColors(const PointSet& points, ColorSource source)
+    : source_(std::move(source)), kind_(kindOf(points, source_)) {
+  if (source_.range && !(source_.range->first < source_.range->second)) {
     throw InvalidInput(
         fmt::format("the range of colors goes from {} to {}, expected a low and a higher value",
-                    source.range->first, source.range->second));
+                    source_.range->first, source_.range->second));
   }
-  std::vector<Rgba8> colors = baseColors(points, source);
-  if (!source.saturationBy.empty()) fadeColors(points, source.saturationBy, colors);
-  if (!source.selection.empty()) {
-    const Region selected = regionWhereNotZero(points, source.selection);
+  if (kind_ == Kind::kNumbers) range_ = source_.range ? *source_.range : rangeOf(points, source_.attribute);
+  if (!source_.saturationBy.empty()) saturationRange_ = rangeOf(points, source_.saturationBy);
+  if (!source_.selection.empty()) require(points, source_.selection);
+}
+
+std::vector<Rgba8> PointColors::of(const PointSet& points) const {
+  const Chosen all{.count = points.size()};
+  std::vector<Rgba8> colors = colorChosen(points, *this, all);
+  if (!source_.saturationBy.empty())
+    fadeColors(require(points, source_.saturationBy), Scale(saturationRange_), all, colors);
+  if (!source_.selection.empty()) {
+    const Region selected = regionWhereNotZero(points, source_.selection);
     for (Index i = 0; i < points.size(); ++i) colors[i].a = selected.contains(i) ? 255 : 0;
   }
   return colors;
+}
+
+std::vector<Rgba8> PointColors::of(const PointSet& points, std::span<const Index> rows) const {
+  const Chosen chosen{.count = rows.size(), .rows = rows.data()};
+  std::vector<Rgba8> colors = colorChosen(points, *this, chosen);
+  if (!source_.saturationBy.empty())
+    fadeColors(require(points, source_.saturationBy), Scale(saturationRange_), chosen, colors);
+  if (!source_.selection.empty()) {
+    withScalars(require(points, source_.selection), [&](auto values) {
+      for (std::size_t i = 0; i < rows.size(); ++i)
+        colors[i].a = isNotZero(static_cast<double>(values[rows[i]])) ? 255 : 0;
+    });
+  }
+  return colors;
+}
+
+std::vector<Rgba8> colorPoints(const PointSet& points, const ColorSource& source) {
+  return PointColors(points, source).of(points);
 }
 
 }  // namespace stipple

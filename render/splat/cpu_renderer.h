@@ -18,6 +18,7 @@ class CpuRenderer final : public Renderer {
                 Accumulate accumulate, const Progress* progress) override;
   Image image() override;
   std::optional<Pick> pick(int x, int y) override;
+  std::vector<float> depth() override { return shown_.depth; }
 
  private:
   void show(const View& view, const Appearance& appearance, Accumulate accumulate);

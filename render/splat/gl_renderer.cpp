@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cassert>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -187,6 +188,18 @@ std::optional<Pick> GlRenderer::pick(int x, int y) {
   }
   const glm::vec2 px(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
   return Pick{.node = texel[0], .depth = depth, .position = view_.toWorld(view_.fromPixels(px, depth))};
+}
+
+std::vector<float> GlRenderer::depth() {
+  if (frames_ == 0) return {};
+  const std::size_t pixels = static_cast<std::size_t>(last_.width()) * last_.height();
+  std::vector<std::array<std::uint32_t, 4>> texels(pixels);
+  last_.visible.read(0, 0, last_.width(), last_.height(), std::as_writable_bytes(std::span(texels)));
+  std::vector<float> depth(pixels, std::numeric_limits<float>::infinity());
+  for (std::size_t i = 0; i < pixels; ++i) {
+    if (texels[i][0] != kNothing) depth[i] = std::bit_cast<float>(texels[i][3]);
+  }
+  return depth;
 }
 
 }  // namespace stipple

@@ -32,6 +32,7 @@ class GlRenderer final : public Renderer {
                 Accumulate accumulate, const Progress* progress = nullptr) override;
   Image image() override;
   std::optional<Pick> pick(int x, int y) override;
+  std::vector<float> depth() override;
 
   /// Copies the picture into the framebuffer that is bound for drawing, its lower left corner at that one's,
   /// without a round through main memory. The framebuffer has one sample a pixel.

@@ -51,6 +51,9 @@ class Renderer {
   virtual Image image() = 0;
   /// Nothing where the background shows, and after drawMesh.
   virtual std::optional<Pick> pick(int x, int y) = 0;
+  /// Of the last frame, of splats and triangles: world units along the line of sight by pixel, rows from the
+  /// top, infinite where the background shows.
+  virtual std::vector<float> depth() = 0;
 };
 
 enum class Backend { kAuto, kCpu, kGl };

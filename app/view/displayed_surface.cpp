@@ -1,0 +1,118 @@
+#include "app/view/displayed_surface.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "render/hierarchy/build.h"
+#include "render/hierarchy/splat_radii.h"
+
+namespace stipple {
+
+namespace {
+
+constexpr std::size_t kGrain = 1 << 14;
+// Bytes a point while local fans are made: neighborhoods, frames, fans.
+constexpr std::size_t kFanBytes = 900;
+
+void placeLeaf(Splat& splat, const Eigen::Vector3f& position) {
+  splat.x = position.x();
+  splat.y = position.y();
+  splat.z = position.z();
+}
+
+void turnLeaf(Splat& splat, const Eigen::Vector3f& normal) {
+  if (normal.isZero(0) || !normal.allFinite()) return;
+  splat.shape = (splat.shape & 0xff000000) | packNormal({normal.x(), normal.y(), normal.z()});
+}
+
+std::vector<NodeRange> everything(const Hierarchy& hierarchy) {
+  return {{.begin = 0, .end = hierarchy.nodeCount()}};
+}
+
+}  // namespace
+
+Extent measureExtent(const PointSet& points) {
+  Eigen::AlignedBox3f box;
+  for (const Eigen::Vector3f& p : points.positions()) box.extend(p);
+  if (points.size() == 0) return {};
+  const Eigen::Vector3f center = box.center();
+  float squared = 0;
+  for (const Eigen::Vector3f& p : points.positions()) squared = std::max(squared, (p - center).squaredNorm());
+  const float radius = std::sqrt(squared);
+  // As if the points lay on a sphere of that size.
+  const float spacing = radius * std::sqrt(4 * 3.14159f / static_cast<float>(points.size()));
+  if (radius > 0) return {{{center.x(), center.y(), center.z()}, radius}, spacing};
+  return {{{center.x(), center.y(), center.z()}, 1}, 0.1f};
+}
+
+Hierarchy refineHierarchy(const PointSet& points, std::size_t memoryBudget, const Progress* progress) {
+  SurfaceEstimate surface;
+  if (points.size() * kFanBytes <= memoryBudget) {
+    surface = estimateSurface(points, progress);
+  } else {
+    surface.normals = normalsOfFile(points);
+  }
+  return buildHierarchy({.positions = points.positions(),
+                         .radii = surface.radii,
+                         .areas = surface.areas,
+                         .normals = surface.normals,
+                         .colors = {}},
+                        LeafOrder::kKd, progress);
+}
+
+DisplayedSurface::DisplayedSurface(const PointSet& points, std::span<const Rgba8> colors,
+                                   const Progress* progress) {
+  const std::vector<Eigen::Vector3f> normals = normalsOfFile(points);
+  hierarchy_ = buildHierarchy(
+      {.positions = points.positions(), .radii = {}, .areas = {}, .normals = normals, .colors = colors},
+      LeafOrder::kMorton, progress);
+}
+
+void DisplayedSurface::adopt(Hierarchy refined) {
+  const std::span<const Splat> old = hierarchy_.splats();
+  const std::span<Splat> splats = refined.editSplats();
+  parallelFor(refined.leafCount(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t slot = begin; slot < end; ++slot)
+      splats[slot].color = old[hierarchy_.slotOfPoint[refined.pointOfSlot[slot]]].color;
+  });
+  refitAll(refined);
+  hierarchy_ = std::move(refined);
+}
+
+std::vector<NodeRange> DisplayedSurface::recolor(std::span<const Index> rows, std::span<const Rgba8> colors) {
+  const std::span<Splat> splats = hierarchy_.editSplats();
+  std::vector<Index> slots(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    slots[i] = hierarchy_.slotOfPoint[rows[i]];
+    splats[slots[i]].color = colors[i];
+  }
+  return refit(hierarchy_, slots);
+}
+
+std::vector<NodeRange> DisplayedSurface::recolorAll(std::span<const Rgba8> colors) {
+  const std::span<Splat> splats = hierarchy_.editSplats();
+  parallelFor(size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t slot = begin; slot < end; ++slot)
+      splats[slot].color = colors[hierarchy_.pointOfSlot[slot]];
+  });
+  refitAll(hierarchy_);
+  return everything(hierarchy_);
+}
+
+std::vector<NodeRange> DisplayedSurface::move(const PointSet& points) {
+  const std::span<Splat> splats = hierarchy_.editSplats();
+  const std::span<const Eigen::Vector3f> positions = points.positions();
+  const std::vector<Eigen::Vector3f> normals = normalsOfFile(points);
+  parallelFor(size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t slot = begin; slot < end; ++slot) {
+      const Index point = hierarchy_.pointOfSlot[slot];
+      placeLeaf(splats[slot], positions[point]);
+      if (!normals.empty()) turnLeaf(splats[slot], normals[point]);
+    }
+  });
+  refitAll(hierarchy_);
+  return everything(hierarchy_);
+}
+
+}  // namespace stipple

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/points/point_set.h"
+#include "core/progress.h"
+#include "render/appearance/surface_mesh.h"
+#include "render/hierarchy/hierarchy.h"
+#include "render/hierarchy/refit.h"
+#include "render/raster/glyphs.h"
+
+namespace stipple {
+
+/// Bounds of a point set: the sphere that a camera frames, and how far neighbors are apart.
+struct Extent {
+  FramingSphere sphere;
+  float spacing = 0;  ///< estimated, world units
+};
+Extent measureExtent(const PointSet& points);
+
+/// A better hierarchy of the same points, made aside: kd order, discs and normals from local fans where that
+/// takes no more memory than `memoryBudget` bytes. Its colors are to be filled in.
+Hierarchy refineHierarchy(const PointSet& points, std::size_t memoryBudget, const Progress* progress);
+
+/// The hierarchy of what is shown, which follows the points: colors of some rows, of all, positions. It holds
+/// no column of the point set. Every change ends in a refit, and the ranges that changed are to be uploaded.
+class DisplayedSurface {
+ public:
+  DisplayedSurface() = default;
+  /// Morton order, discs from blocks of leaves: what the first picture is made of. `colors` by point.
+  DisplayedSurface(const PointSet& points, std::span<const Rgba8> colors, const Progress* progress);
+
+  const Hierarchy& hierarchy() const { return hierarchy_; }
+  Index size() const { return hierarchy_.leafCount(); }
+
+  /// Puts a better hierarchy of the same points in place, colored as this one.
+  void adopt(Hierarchy refined);
+  std::vector<NodeRange> recolor(std::span<const Index> rows, std::span<const Rgba8> colors);
+  std::vector<NodeRange> recolorAll(std::span<const Rgba8> colors);
+  /// Takes positions anew, and normals where the points have them; discs stay as they are.
+  std::vector<NodeRange> move(const PointSet& points);
+
+ private:
+  Hierarchy hierarchy_;
+};
+
+}  // namespace stipple

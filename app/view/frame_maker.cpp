@@ -1,0 +1,237 @@
+#include "app/view/frame_maker.h"
+
+#include <algorithm>
+
+#include "render/hierarchy/jitter.h"
+#include "render/hierarchy/splat_radii.h"
+
+namespace stipple {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+// The view is at rest when it has not changed for so long; the brush when nothing was painted.
+constexpr auto kViewRest = 120ms;
+constexpr auto kSceneRest = 250ms;
+constexpr int kAveragedFrames = 16;
+// Triangles that are drawn while the view moves; more of them are shown as splats meanwhile.
+constexpr std::size_t kMovingTriangles = 300'000;
+constexpr Rgba8 kGlyphColor{222, 56, 32, 255};
+
+bool sameView(const View& a, const View& b) {
+  return a.eye == b.eye && a.viewFromWorld == b.viewFromWorld && a.projection == b.projection &&
+         a.focalPx == b.focalPx && a.width == b.width && a.height == b.height;
+}
+
+}  // namespace
+
+FrameMaker::FrameMaker(std::unique_ptr<Renderer> renderer) : renderer_(std::move(renderer)) {}
+FrameMaker::~FrameMaker() = default;
+
+void FrameMaker::apply(SceneChange change, std::uint64_t revision, const Progress* progress) {
+  revision_ = std::max(revision_, revision);
+  sceneChanged_ = Clock::now();
+  if (auto* fresh = std::get_if<NewSurface>(&change)) {
+    replaceSurface(std::move(*fresh), progress);
+  } else if (auto* restated = std::get_if<Restate>(&change)) {
+    restate(std::move(*restated));
+  } else if (const auto* recolored = std::get_if<Recolor>(&change)) {
+    recolor(*recolored);
+  } else if (auto* refined = std::get_if<Refined>(&change)) {
+    if (refined->surface != surfaceNumber_ || refined->hierarchy.leafCount() != surface_.size()) return;
+    surface_.adopt(std::move(refined->hierarchy));
+    cutMemory_ = {};
+    renderer_->upload(surface_.hierarchy(), {{.begin = 0, .end = surface_.hierarchy().nodeCount()}});
+    touchAll();
+  }
+}
+
+void FrameMaker::replaceSurface(NewSurface&& fresh, const Progress* progress) {
+  const std::vector<Rgba8> colors = fresh.colors.of(fresh.points);
+  surface_ = {};  // its memory goes before the next one's comes
+  surface_ = DisplayedSurface(fresh.points, colors, progress);
+  surfaceNumber_ = fresh.surface;
+  cutMemory_ = {};
+  glyphs_ =
+      fresh.glyphs.empty() ? std::vector<Glyph>{} : makeGlyphs(fresh.points, fresh.glyphs, {}, progress);
+  takeMesh(fresh.points, colors, fresh.asMesh);
+  unrefined_ = Unrefined{.surface = fresh.surface, .points = std::move(fresh.points)};
+  renderer_->upload(surface_.hierarchy(), {{.begin = 0, .end = surface_.hierarchy().nodeCount()}});
+  touchAll();
+}
+
+void FrameMaker::restate(Restate&& change) {
+  if (change.points.size() != surface_.size()) return;
+  const std::vector<Rgba8> colors = change.colors.of(change.points);
+  std::vector<NodeRange> changed = surface_.recolorAll(colors);
+  if (change.moved) changed = surface_.move(change.points);
+  surfaceNumber_ = change.surface;
+  glyphs_ =
+      change.glyphs.empty() ? std::vector<Glyph>{} : makeGlyphs(change.points, change.glyphs, {}, nullptr);
+  takeMesh(change.points, colors, change.asMesh);
+  if (change.moved) unrefined_ = Unrefined{.surface = change.surface, .points = std::move(change.points)};
+  renderer_->upload(surface_.hierarchy(), changed);
+  touchAll();
+}
+
+void FrameMaker::recolor(const Recolor& change) {
+  const std::vector<NodeRange> changed = surface_.recolor(change.rows, change.colors);
+  renderer_->upload(surface_.hierarchy(), changed);
+  if (meshPoints_.size() > 0) {
+    for (std::size_t i = 0; i < change.rows.size(); ++i) meshColors_[change.rows[i]] = change.colors[i];
+    return touchAll();
+  }
+  if (stage_ == Stage::kStale || stage_ == Stage::kNothing) return;
+  touched_.insert(touched_.end(), changed.begin(), changed.end());
+}
+
+void FrameMaker::takeMesh(const PointSet& points, const std::vector<Rgba8>& colors, bool asMesh) {
+  const bool shows = asMesh && !points.triangles().empty();
+  meshPoints_ = shows ? points : PointSet();
+  meshColors_ = shows ? colors : std::vector<Rgba8>();
+  meshNormals_ = shows ? normalsOfFile(points) : std::vector<Eigen::Vector3f>();
+}
+
+void FrameMaker::touchAll() {
+  touched_.clear();
+  stage_ = Stage::kStale;
+}
+
+void FrameMaker::setView(const View& view) {
+  if (view_ && sameView(*view_, view)) return;
+  view_ = view;
+  viewChanged_ = Clock::now();
+  touchAll();
+}
+
+void FrameMaker::setAppearance(const Appearance& appearance) {
+  appearance_ = appearance;
+  touchAll();
+}
+
+void FrameMaker::setLines(std::vector<Glyph> lines) {
+  lines_ = std::move(lines);
+  touchAll();
+}
+
+bool FrameMaker::isMoving(Clock::time_point now) const {
+  return now - viewChanged_ < kViewRest;
+}
+
+bool FrameMaker::drawsMesh() const {
+  return meshPoints_.size() > 0 &&
+         (meshPoints_.triangles().size() <= kMovingTriangles || !isMoving(Clock::now()));
+}
+
+bool FrameMaker::step(const Progress* interrupt) {
+  if (!view_ || surface_.size() == 0 || view_->width <= 0 || view_->height <= 0) return false;
+  const auto now = Clock::now();
+  if (stage_ == Stage::kNothing || stage_ == Stage::kStale) return drawCoarse();
+  if (!touched_.empty()) return redrawTouched();
+  if (const auto due = nextDue(); !due || now < *due) return false;
+  try {
+    return stage_ == Stage::kCoarse ? refinePicture(interrupt) : averagePicture(interrupt);
+  } catch (const Cancelled&) {
+    return false;
+  }
+}
+
+std::optional<FrameMaker::Clock::time_point> FrameMaker::nextDue() const {
+  if (!view_ || surface_.size() == 0 || stage_ == Stage::kNothing) return {};
+  if (stage_ == Stage::kStale || !touched_.empty()) return Clock::now();
+  if (stage_ == Stage::kCoarse) return viewChanged_ + kViewRest;
+  if (stage_ == Stage::kConverged) return std::max(viewChanged_ + kViewRest, sceneChanged_ + kSceneRest);
+  return {};
+}
+
+void FrameMaker::draw(float tau, Accumulate accumulate, const View& view, const Progress* progress) {
+  const auto begin = Clock::now();
+  if (drawsMesh()) {
+    const SurfaceMesh mesh{meshPoints_.positions(), meshNormals_, meshColors_, meshPoints_.triangles()};
+    renderer_->drawMesh(mesh, view, appearance_, accumulate, progress);
+    splats_ = 0;
+    tau_ = RateControl::kFinest;
+  } else {
+    const Cut cut = selectCut(surface_.hierarchy(), view, {.tau = tau}, &cutMemory_, progress);
+    renderer_->draw(surface_.hierarchy(), cut.nodes, view, appearance_, accumulate, progress);
+    splats_ = static_cast<Index>(cut.nodes.size());
+    tau_ = cut.tau;
+  }
+  milliseconds_ = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+  drawnView_ = view;
+  touched_.clear();
+  shownRevision_ = revision_;
+}
+
+// What must be seen at once: as fine as the time allows.
+bool FrameMaker::drawCoarse() {
+  const float tau = std::max(rate_.tauFor(motionBudget), RateControl::kFinest);
+  draw(tau, Accumulate::kStartAnew, *view_, nullptr);
+  rate_.drew(splats_, tau_, milliseconds_);
+  stage_ = tau_ <= RateControl::kFinest ? Stage::kConverged : Stage::kCoarse;
+  averaged_ = 0;
+  return true;
+}
+
+bool FrameMaker::refinePicture(const Progress* interrupt) {
+  draw(RateControl::kFinest, Accumulate::kStartAnew, *view_, interrupt);
+  stage_ = Stage::kConverged;
+  averaged_ = 0;
+  return true;
+}
+
+// Only the mean of all frames is shown: on the way to it the picture rests.
+bool FrameMaker::averagePicture(const Progress* interrupt) {
+  View view = *view_;
+  view.jitterPx = jitterOfFrame(averaged_);
+  draw(RateControl::kFinest, averaged_ == 0 ? Accumulate::kStartAnew : Accumulate::kAddToMean, view,
+       interrupt);
+  if (++averaged_ < kAveragedFrames) return false;
+  stage_ = Stage::kAveraged;
+  return true;
+}
+
+bool FrameMaker::redrawTouched() {
+  const auto begin = Clock::now();
+  std::ranges::sort(touched_, {}, &NodeRange::begin);
+  std::vector<NodeRange> ranges;
+  for (const NodeRange& range : touched_) {
+    if (!ranges.empty() && range.begin <= ranges.back().end)
+      ranges.back().end = std::max(ranges.back().end, range.end);
+    else
+      ranges.push_back(range);
+  }
+  renderer_->redraw(surface_.hierarchy(), ranges);
+  touched_.clear();
+  milliseconds_ = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+  shownRevision_ = revision_;
+  if (stage_ == Stage::kAveraged) stage_ = Stage::kConverged;
+  averaged_ = 0;
+  return true;
+}
+
+std::optional<Unrefined> FrameMaker::takeUnrefined() {
+  const bool isCalm = Clock::now() - sceneChanged_ >= kSceneRest;
+  if (!isCalm || (stage_ != Stage::kConverged && stage_ != Stage::kAveraged)) return {};
+  return std::exchange(unrefined_, {});
+}
+
+Frame FrameMaker::frame() {
+  Frame frame{.image = renderer_->image(),
+              .depth = renderer_->depth(),
+              .view = drawnView_,
+              .splats = splats_,
+              .tau = tau_,
+              .milliseconds = milliseconds_,
+              .isConverged = stage_ == Stage::kConverged || stage_ == Stage::kAveraged,
+              .averaged = stage_ == Stage::kAveraged ? kAveragedFrames : 1,
+              .surface = surfaceNumber_,
+              .revision = shownRevision_};
+  frame.view.jitterPx = {0, 0};
+  if (!glyphs_.empty()) drawGlyphs(frame.image, frame.depth, frame.view, glyphs_, kGlyphColor);
+  if (!lines_.empty()) drawGlyphs(frame.image, frame.depth, frame.view, lines_, kGlyphColor);
+  return frame;
+}
+
+}  // namespace stipple

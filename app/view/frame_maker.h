@@ -1,0 +1,141 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "app/view/displayed_surface.h"
+#include "app/view/look.h"
+#include "app/view/rate_control.h"
+#include "render/hierarchy/cut.h"
+#include "render/raster/glyphs.h"
+#include "render/splat/renderer.h"
+
+namespace stipple {
+
+/// A finished picture and what can be asked of it.
+struct Frame {
+  Image image;
+  std::vector<float> depth;  ///< by pixel, infinite where the background shows
+  View view;
+  Index splats = 0;  ///< drawn; 0: triangles
+  float tau = 0;
+  double milliseconds = 0;
+  bool isConverged = false;    ///< nothing finer will come, but for antialiasing
+  int averaged = 1;            ///< frames in the picture
+  std::uint64_t surface = 0;   ///< number of what is shown
+  std::uint64_t revision = 0;  ///< the latest of the changes that are in the picture
+};
+
+/// Other points than before, or rows came or went.
+struct NewSurface {
+  std::uint64_t surface = 0;
+  PointSet points;
+  PointColors colors;
+  std::string glyphs = {};  ///< vector attribute shown as lines
+  bool asMesh = false;
+};
+/// All colors of the surface, of which positions may have moved too.
+struct Restate {
+  std::uint64_t surface = 0;  ///< another number than before where points moved
+  PointSet points;
+  PointColors colors;
+  std::string glyphs = {};
+  bool asMesh = false;
+  bool moved = false;
+};
+/// Colors of some points, as under a brush.
+struct Recolor {
+  std::vector<Index> rows;
+  std::vector<Rgba8> colors;
+};
+/// A better hierarchy of the surface of that number.
+struct Refined {
+  std::uint64_t surface = 0;
+  Hierarchy hierarchy;
+};
+using SceneChange = std::variant<NewSurface, Restate, Recolor, Refined>;
+
+/// Points whose hierarchy could be better.
+struct Unrefined {
+  std::uint64_t surface = 0;
+  PointSet points;
+};
+
+/// Keeps what is shown and makes pictures of it, piece by piece: something at once and in time while the view
+/// or the surface changes, then finer, then the mean of 16 frames. Belongs to one thread; where the renderer
+/// draws with OpenGL its context is current in every call.
+class FrameMaker {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  explicit FrameMaker(std::unique_ptr<Renderer> renderer);
+  ~FrameMaker();
+
+  void apply(SceneChange change, std::uint64_t revision, const Progress* progress);
+  void setView(const View& view);
+  void setAppearance(const Appearance& appearance);
+  /// Lines drawn over the surface beside those of the look (what a tool shows of a point).
+  void setLines(std::vector<Glyph> lines);
+
+  /// Does the next piece of work. True: the picture changed, see frame(). What refines a picture that is
+  /// complete ends early where `interrupt` says so; what shows a change does not.
+  bool step(const Progress* interrupt);
+  /// When the next piece is due; nothing where the picture is as good as it gets.
+  std::optional<Clock::time_point> nextDue() const;
+
+  /// Once for every surface, when its first picture is complete and nothing moves: what a better hierarchy is
+  /// to be made of.
+  std::optional<Unrefined> takeUnrefined();
+  /// The last picture with its depth. Copies both from the back end.
+  Frame frame();
+  const char* backend() const { return renderer_->backend(); }
+  const DisplayedSurface& surface() const { return surface_; }
+  std::uint64_t surfaceNumber() const { return surfaceNumber_; }
+  Renderer& renderer() { return *renderer_; }
+
+  /// Milliseconds that a picture may take while something moves.
+  double motionBudget = 33;
+
+ private:
+  void replaceSurface(NewSurface&& fresh, const Progress* progress);
+  void restate(Restate&& change);
+  void recolor(const Recolor& change);
+  void takeMesh(const PointSet& points, const std::vector<Rgba8>& colors, bool asMesh);
+  bool isMoving(Clock::time_point now) const;
+  bool drawsMesh() const;
+  void draw(float tau, Accumulate accumulate, const View& view, const Progress* progress);
+  bool drawCoarse();
+  bool refinePicture(const Progress* interrupt);
+  bool averagePicture(const Progress* interrupt);
+  bool redrawTouched();
+  void touchAll();
+
+  std::unique_ptr<Renderer> renderer_;
+  DisplayedSurface surface_;
+  std::uint64_t surfaceNumber_ = 0, revision_ = 0, shownRevision_ = 0;
+  PointSet meshPoints_;  // empty unless triangles are shown
+  std::vector<Eigen::Vector3f> meshNormals_;
+  std::vector<Rgba8> meshColors_;
+  std::vector<Glyph> glyphs_, lines_;
+  std::optional<View> view_;
+  Appearance appearance_;
+  RateControl rate_;
+  CutMemory cutMemory_;
+  std::optional<Unrefined> unrefined_;
+  std::vector<NodeRange> touched_;  // recolored since the last picture, where nothing else changed
+
+  enum class Stage { kNothing, kStale, kCoarse, kConverged, kAveraged };
+  Stage stage_ = Stage::kNothing;  // what the picture is
+  int averaged_ = 0;
+  Clock::time_point viewChanged_{}, sceneChanged_{};
+  Index splats_ = 0;
+  float tau_ = 0;
+  double milliseconds_ = 0;
+  View drawnView_;
+};
+
+}  // namespace stipple

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "render/appearance/splat_colors.h"
+
+namespace stipple {
+
+/// What of a point set is shown, and how.
+struct Look {
+  ColorSource colors = {};
+  bool asMesh = false;      ///< its triangles instead of splats, where it has any
+  std::string glyphs = {};  ///< a vector attribute that is shown as lines; empty: none
+};
+
+}  // namespace stipple
