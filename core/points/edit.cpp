@@ -169,6 +169,18 @@ std::size_t Edit::memoryBytes() const {
   return bytes;
 }
 
+std::vector<Edit::Touched> Edit::touched() const {
+  std::vector<Touched> columns;
+  if (positions_) columns.push_back({"", nullptr});
+  for (const Patch& patch : patches_) columns.push_back({patch.name, patch.rows});
+  std::vector<std::string> whole = leaving_;
+  for (const Held& held : held_) {
+    if (!contains(whole, held.attribute.name)) whole.push_back(held.attribute.name);
+  }
+  for (std::string& name : whole) columns.push_back({std::move(name), nullptr});
+  return columns;
+}
+
 IndexMap Edit::apply(PointSet& points) {
   if (applied_) throw InvalidInput("the edit is already applied");
   throwUnlessFits(points);

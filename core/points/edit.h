@@ -44,6 +44,18 @@ class Edit {
   /// Bytes of rows, values and triangles that the edit keeps alive.
   std::size_t memoryBytes() const;
 
+  /// A column in which the two states differ.
+  struct Touched {
+    std::string name;  ///< empty: the positions
+    /// Ascending rows of the state after, below its appended ones. Null: all rows, or the attribute comes,
+    /// goes or has another type or place on the other side.
+    std::shared_ptr<const std::vector<Index>> rows;
+  };
+  /// What applying and reverting change, in no order. Where changesRows(), all columns change beyond these
+  /// rows.
+  std::vector<Touched> touched() const;
+  bool changesTriangles() const { return triangles_ != nullptr; }
+
   /// Both leave the set as it was and throw InvalidInput where it does not fit: another number of points, an
   /// attribute missing or of another type, or the edit already being on that side.
   IndexMap apply(PointSet& points);
@@ -52,6 +64,8 @@ class Edit {
   friend Edit difference(const PointSet& before, const PointSet& after, std::span<const Index> removedRows);
 
  private:
+  friend class EditBytes;  // edit_file.cpp
+
   using Rows = std::shared_ptr<const std::vector<Index>>;
   /// A column that both sides have and that differs in few rows.
   struct Patch {

@@ -13,6 +13,7 @@ namespace stipple {
 namespace {
 
 using testing::ElementsAre;
+using testing::UnorderedElementsAre;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
@@ -232,6 +233,30 @@ TEST(Difference, RefusesStatesThatDoNotFit) {
   EXPECT_THROW(difference(before, before, std::vector<Index>{6}), InvalidInput);
   EXPECT_THROW(difference(before, before, std::vector<Index>{2, 1}), InvalidInput);
   EXPECT_THROW(difference(PointSet({{0, 0, 0}}), PointSet({{0, 0, 0}}, {1, 0, 0})), InvalidInput);
+}
+
+TEST(Edit, TellsWhichColumnsItTouches) {
+  const PointSet before = line(40);
+  PointSet after = before;
+  after.edit<float>("height")[7] = 1;
+  after.erase("color");
+  after.set("curvature", std::vector<float>(40, 1));
+  Edit edit = difference(before, after);
+  const auto check = [&] {
+    const auto touched = edit.touched();
+    ASSERT_EQ(touched.size(), 3u);
+    EXPECT_EQ(touched[0].name, "height");
+    EXPECT_THAT(*touched[0].rows, ElementsAre(7));
+    std::vector<std::string> whole = {touched[1].name, touched[2].name};
+    EXPECT_THAT(whole, UnorderedElementsAre("color", "curvature"));
+    EXPECT_EQ(touched[1].rows, nullptr);
+    EXPECT_FALSE(edit.changesTriangles());
+  };
+  check();
+  PointSet points = before;
+  edit.apply(points);
+  check();
+  EXPECT_TRUE(difference(before, before).touched().empty());
 }
 
 }  // namespace
