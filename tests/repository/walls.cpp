@@ -35,6 +35,7 @@ const std::vector<Arrow> kArrows = {
     {"render/gl", {"render/gl", "core"}},
     {"render", {"render", "core"}},
     {"app/document", {"app/document", "core", "plugins/api", "render/hierarchy"}},
+    {"app/tools", {"app/tools", "app/document", "core", "render/hierarchy"}},
     {"app", {"app", "core", "plugins/api", "render"}},
 };
 
