@@ -217,18 +217,21 @@ std::optional<Unrefined> FrameMaker::takeUnrefined() {
   return std::exchange(unrefined_, {});
 }
 
+FrameNotes FrameMaker::notes() const {
+  FrameNotes notes{.view = drawnView_,
+                   .splats = splats_,
+                   .tau = tau_,
+                   .milliseconds = milliseconds_,
+                   .isConverged = stage_ == Stage::kConverged || stage_ == Stage::kAveraged,
+                   .averaged = stage_ == Stage::kAveraged ? kAveragedFrames : 1,
+                   .surface = surfaceNumber_,
+                   .revision = shownRevision_};
+  notes.view.jitterPx = {0, 0};
+  return notes;
+}
+
 Frame FrameMaker::frame() {
-  Frame frame{.image = renderer_->image(),
-              .depth = renderer_->depth(),
-              .view = drawnView_,
-              .splats = splats_,
-              .tau = tau_,
-              .milliseconds = milliseconds_,
-              .isConverged = stage_ == Stage::kConverged || stage_ == Stage::kAveraged,
-              .averaged = stage_ == Stage::kAveraged ? kAveragedFrames : 1,
-              .surface = surfaceNumber_,
-              .revision = shownRevision_};
-  frame.view.jitterPx = {0, 0};
+  Frame frame{notes(), renderer_->image(), renderer_->depth()};
   if (!glyphs_.empty()) drawGlyphs(frame.image, frame.depth, frame.view, glyphs_, kGlyphColor);
   if (!lines_.empty()) drawGlyphs(frame.image, frame.depth, frame.view, lines_, kGlyphColor);
   return frame;

@@ -16,10 +16,8 @@
 
 namespace stipple {
 
-/// A finished picture and what can be asked of it.
-struct Frame {
-  Image image;
-  std::vector<float> depth;  ///< by pixel, infinite where the background shows
+/// What is known of a picture.
+struct FrameNotes {
   View view;
   Index splats = 0;  ///< drawn; 0: triangles
   float tau = 0;
@@ -28,6 +26,12 @@ struct Frame {
   int averaged = 1;            ///< frames in the picture
   std::uint64_t surface = 0;   ///< number of what is shown
   std::uint64_t revision = 0;  ///< the latest of the changes that are in the picture
+};
+
+/// A finished picture.
+struct Frame : FrameNotes {
+  Image image;
+  std::vector<float> depth;  ///< by pixel, infinite where the background shows
 };
 
 /// Other points than before, or rows came or went.
@@ -90,6 +94,7 @@ class FrameMaker {
   /// Once for every surface, when its first picture is complete and nothing moves: what a better hierarchy is
   /// to be made of.
   std::optional<Unrefined> takeUnrefined();
+  FrameNotes notes() const;
   /// The last picture with its depth. Copies both from the back end.
   Frame frame();
   const char* backend() const { return renderer_->backend(); }

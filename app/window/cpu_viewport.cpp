@@ -1,0 +1,111 @@
+#include "app/window/cpu_viewport.h"
+
+#include <QMetaObject>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "app/panels/imgui_raster.h"
+#include "app/panels/overlay_context.h"
+
+namespace stipple {
+
+namespace {
+
+// Pixels of a picture in the order that Qt's windows have.
+void copyRow(const Rgba8* from, QRgb* to, int count) {
+  for (int x = 0; x < count; ++x) to[x] = qRgb(from[x].r, from[x].g, from[x].b);
+}
+
+}  // namespace
+
+CpuViewport::CpuViewport(QWidget* parent) : QWidget(parent) {
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  setAttribute(Qt::WA_NoSystemBackground);
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  worker_ = std::make_unique<FrameWorker>(makeRenderer(Backend::kCpu), [this] {
+    QMetaObject::invokeMethod(this, &CpuViewport::takePicture, Qt::QueuedConnection);
+  });
+}
+
+void CpuViewport::post(SceneChange change, std::uint64_t revision) {
+  worker_->post(std::move(change), revision);
+}
+
+void CpuViewport::setView(const View& view) {
+  worker_->setView(view);
+}
+
+void CpuViewport::setAppearance(const Appearance& appearance) {
+  background_ = appearance.background.value_or(background_);
+  worker_->setAppearance(appearance);
+}
+
+void CpuViewport::setLines(std::vector<Glyph> lines) {
+  worker_->setLines(std::move(lines));
+}
+
+std::optional<FrameNotes> CpuViewport::notes() const {
+  if (!frame_) return {};
+  return static_cast<const FrameNotes&>(*frame_);
+}
+
+std::optional<Picked> CpuViewport::pickAt(const glm::vec2& px) {
+  if (!frame_) return {};
+  const View& view = frame_->view;
+  const auto x = static_cast<int>(std::floor(px.x)), y = static_cast<int>(std::floor(px.y));
+  if (x < 0 || y < 0 || x >= view.width || y >= view.height) return {};
+  const float depth = frame_->depth[static_cast<std::size_t>(y) * view.width + x];
+  if (!std::isfinite(depth)) return {};
+  return Picked{.position = view.toWorld(view.fromPixels(px, depth)), .depth = depth};
+}
+
+std::vector<float> CpuViewport::depthPicture() {
+  return frame_ ? frame_->depth : std::vector<float>();
+}
+
+Image CpuViewport::picture() {
+  return frame_ ? frame_->image : Image();
+}
+
+void CpuViewport::takePicture() {
+  if (auto sentence = worker_->takeFailure(); sentence && failed) failed(*sentence);
+  frame_ = worker_->latest();
+  update();
+  if (frame_ && pictureChanged) pictureChanged();
+}
+
+// The picture at the widget's present size; one of another size stays in its corner until the next comes.
+void CpuViewport::compose() {
+  const QSize size = (QSizeF(this->size()) * devicePixelRatioF()).toSize();
+  if (composed_.size() != size) composed_ = QImage(size, QImage::Format_RGB32);
+  const QRgb empty = qRgb(background_.r, background_.g, background_.b);
+  const int width = frame_ ? std::min(frame_->image.width, size.width()) : 0;
+  for (int y = 0; y < size.height(); ++y) {
+    auto* row = reinterpret_cast<QRgb*>(composed_.scanLine(y));
+    const bool inside = frame_ && y < frame_->image.height;
+    if (inside) copyRow(&frame_->image.pixels[static_cast<std::size_t>(y) * frame_->image.width], row, width);
+    std::fill(row + (inside ? width : 0), row + size.width(), empty);
+  }
+}
+
+void CpuViewport::paintEvent(QPaintEvent*) {
+  compose();
+  if (overlay && overlayContext) {
+    const ImDrawData& drawing = overlay();
+    const PixelTarget target{.pixels = reinterpret_cast<std::uint32_t*>(composed_.bits()),
+                             .width = composed_.width(),
+                             .height = composed_.height(),
+                             .stride = composed_.bytesPerLine() / static_cast<int>(sizeof(QRgb)),
+                             .order = ChannelOrder::kBgra};
+    rasterize(drawing, overlayContext->atlas(), target);
+  }
+  composed_.setDevicePixelRatio(devicePixelRatioF());
+  QPainter painter(this);
+  painter.setCompositionMode(QPainter::CompositionMode_Source);
+  painter.drawImage(0, 0, composed_);
+}
+
+}  // namespace stipple

@@ -1,0 +1,141 @@
+#include "app/window/gl_viewport.h"
+
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <QMetaObject>
+#include <QOpenGLContext>
+#include <QTimer>
+#include <algorithm>
+#include <chrono>
+
+#include "app/panels/overlay_context.h"
+#include "render/splat/gl_renderer.h"
+
+namespace stipple {
+
+GlViewport::GlViewport(QWidget* parent) : QOpenGLWidget(parent), refiner_(requests_) {
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+}
+
+GlViewport::~GlViewport() {
+  refiner_.stop();
+  releaseContext();
+}
+
+void GlViewport::releaseContext() {
+  if (!maker_) return;
+  makeCurrent();
+  if (hasOverlayRenderer_ && overlayContext) {
+    overlayContext->makeCurrent();
+    ImGui_ImplOpenGL3_Shutdown();
+  }
+  maker_.reset();
+  doneCurrent();
+}
+
+void GlViewport::post(SceneChange change, std::uint64_t revision) {
+  requests_.post(std::move(change), revision);
+  update();
+}
+
+void GlViewport::setView(const View& view) {
+  requests_.setView(view);
+  update();
+}
+
+void GlViewport::setAppearance(const Appearance& appearance) {
+  requests_.setAppearance(appearance);
+  update();
+}
+
+void GlViewport::setLines(std::vector<Glyph> lines) {
+  requests_.setLines(std::move(lines));
+  update();
+}
+
+std::optional<FrameNotes> GlViewport::notes() const {
+  return notes_;
+}
+
+std::optional<Picked> GlViewport::pickAt(const glm::vec2& px) {
+  if (!maker_ || !notes_) return {};
+  makeCurrent();
+  const auto pick = maker_->renderer().pick(static_cast<int>(px.x), static_cast<int>(px.y));
+  doneCurrent();
+  if (!pick) return {};
+  return Picked{.position = pick->position, .depth = pick->depth};
+}
+
+std::vector<float> GlViewport::depthPicture() {
+  if (!maker_ || !notes_) return {};
+  makeCurrent();
+  std::vector<float> depth = maker_->renderer().depth();
+  doneCurrent();
+  return depth;
+}
+
+Image GlViewport::picture() {
+  if (!maker_ || !notes_) return {};
+  makeCurrent();
+  Image image = maker_->frame().image;
+  doneCurrent();
+  return image;
+}
+
+void GlViewport::initializeGL() {
+  try {
+    maker_ = std::make_unique<FrameMaker>(std::make_unique<GlRenderer>());
+  } catch (const Error& error) {
+    if (failed) failed(error.what());
+  }
+}
+
+void GlViewport::drawSurface() {
+  try {
+    requests_.applyTo(*maker_, nullptr);
+    if (!maker_->step(nullptr)) return;
+    notes_ = maker_->notes();
+    if (pictureChanged) QMetaObject::invokeMethod(this, [this] { pictureChanged(); }, Qt::QueuedConnection);
+  } catch (const std::exception& error) {
+    if (failed) failed(error.what());
+  }
+}
+
+void GlViewport::drawOverlay() {
+  if (!overlay || !overlayContext) return;
+  const ImDrawData& drawing = overlay();
+  overlayContext->makeCurrent();
+  if (!hasOverlayRenderer_) hasOverlayRenderer_ = ImGui_ImplOpenGL3_Init("#version 450 core");
+  if (atlasRevision_ != overlayContext->atlasRevision()) {
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+    atlasRevision_ = overlayContext->atlasRevision();
+  }
+  ImGui_ImplOpenGL3_RenderDrawData(const_cast<ImDrawData*>(&drawing));
+}
+
+void GlViewport::paintGL() {
+  if (!maker_) return;
+  drawSurface();
+  static_cast<GlRenderer&>(maker_->renderer()).present();
+  drawOverlay();
+  scheduleNext();
+}
+
+// The next piece of work comes by itself, when it is due.
+void GlViewport::scheduleNext() {
+  if (auto waiting = maker_->takeUnrefined()) {
+    refiner_.start(waiting->surface, std::move(waiting->points), [this] {
+      QMetaObject::invokeMethod(this, [this] { update(); }, Qt::QueuedConnection);
+    });
+  }
+  const auto due = maker_->nextDue();
+  if (!due) return;
+  using std::chrono::milliseconds;
+  const auto wait = std::chrono::duration_cast<milliseconds>(*due - FrameMaker::Clock::now());
+  QTimer::singleShot(std::max(milliseconds(0), wait), this, [this] { update(); });
+}
+
+}  // namespace stipple

@@ -1,0 +1,133 @@
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+#include <QTimer>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/document/invocation.h"
+#include "app/document/stroke.h"
+#include "app/jobs/operator_job.h"
+#include "app/jobs/task.h"
+#include "app/plugins/loader.h"
+#include "app/window/open_scan.h"
+
+namespace stipple {
+
+/// What the running process tells the window.
+struct ProcessState {
+  std::string operatorId, title, message;
+  bool isPaused = false, isSteppable = false;
+  double fraction = 0;
+  std::optional<double> secondsLeft = {};
+  int steps = 0;
+  std::vector<float> curve = {};
+};
+
+/// The open scans, and all that is done to them: by the user at once, by tasks and processes meanwhile. Knows
+/// no widgets. Everything that can fail ends in one sentence, see said().
+class Workbench final : public QObject {
+  Q_OBJECT
+
+ public:
+  struct Options {
+    HistoryOptions history;
+    std::filesystem::path journals;  ///< empty: none are kept
+    bool keepsQuiet = false;         ///< no recovery, as files were named on the command line
+  };
+
+  Workbench(LoadedPlugins plugins, Options options);
+  ~Workbench() override;
+
+  const Registry& registry() const { return plugins_.registry; }
+  const std::vector<std::string>& pluginWarnings() const { return plugins_.warnings; }
+
+  // Scans
+  OpenScan* current() const;
+  int currentIndex() const { return current_; }
+  const std::vector<std::unique_ptr<OpenScan>>& scans() const { return scans_; }
+  void setCurrent(int index);
+  /// Reads on a worker; the scan appears when it is there.
+  void open(const std::filesystem::path& path, bool isSample = false);
+  void close(int index);
+  /// Writes on a worker.
+  void save(const std::filesystem::path& path);
+  bool isSaving() const { return saving_ != nullptr; }
+  /// Waits for a save that is going on. False where it failed.
+  bool finishSaving();
+
+  // Edits of the current scan
+  void commit(const std::string& title, const PointSet& after, std::optional<Recipe::Step> step = {});
+  void undo();
+  void redo();
+  void goTo(std::size_t position);
+  bool canEdit() const { return current() != nullptr; }
+  /// After strokes and other changes made on the document itself.
+  void tellPointsChanged();
+
+  // Processes
+  void run(const Invocation& invocation, bool startsPaused = false);
+  bool isRunning() const { return job_ != nullptr; }
+  std::optional<ProcessState> process() const;
+  void pause();
+  void resume();
+  void stepOnce();
+  void stop();
+  void cancel();
+  void setProcessParameters(const Parameters& parameters);
+
+  /// Asks for the distances along the surface of the current scan; pointsReady() follows.
+  void prepareDistance();
+  bool isPreparing() const { return preparing_ != nullptr; }
+  /// What goes on besides processes: "reading bunny.ply", with how much of it is done.
+  std::optional<TaskStatus> task() const;
+  void cancelTask();
+
+  void say(const QString& sentence, const QString& details = {}) { emit said(sentence, details); }
+
+ signals:
+  void scansChanged();
+  void currentChanged();
+  void pointsChanged();
+  /// A running process has another state to show. Empty after it, when the document shows again.
+  void previewChanged(const PointSet* state);
+  void processChanged();
+  void taskChanged();
+  void distanceReady();
+  void saved();
+  void said(const QString& sentence, const QString& details);
+
+ private:
+  struct Opening;
+  struct Saving;
+  struct Preparing;
+
+  void tick();
+  void followOpening();
+  void followSaving();
+  void followPreparing();
+  void followJob();
+  void finishJob();
+  void commitJob();
+  void takeMessages();
+  void keepTicking();
+  bool refuseAcrossProcess(std::size_t position);
+  void addScan(ReadResult read, const std::filesystem::path& path, bool isSample);
+
+  LoadedPlugins plugins_;
+  Options options_;
+  std::vector<std::unique_ptr<OpenScan>> scans_;
+  int current_ = -1;
+  std::vector<std::unique_ptr<Opening>> openings_;
+  std::unique_ptr<Saving> saving_;
+  std::unique_ptr<Preparing> preparing_;
+  std::unique_ptr<OperatorJob> job_;
+  struct JobNotes;
+  std::unique_ptr<JobNotes> jobNotes_;
+  QTimer timer_;
+};
+
+}  // namespace stipple
