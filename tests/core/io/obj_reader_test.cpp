@@ -5,7 +5,7 @@
 #include <png.h>
 
 #include "tests/core/io/read_from_text.h"
-#include "tests/core/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
 
 namespace stipple {

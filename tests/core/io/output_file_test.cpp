@@ -11,7 +11,7 @@
 
 #include "core/error.h"
 #include "core/io/point_io.h"
-#include "tests/core/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace stipple {
 namespace {

@@ -6,7 +6,7 @@
 #include <bit>
 #include <limits>
 
-#include "tests/core/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
 
 namespace stipple {

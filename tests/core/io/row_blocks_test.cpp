@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "core/io/point_io.h"
-#include "tests/core/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace stipple {
 namespace {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "core/io/texture.h"
-#include "tests/core/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/png_picture.h"
 
 namespace stipple {
