@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace stipple {
+
+enum class BrushKind { kPaint, kErase, kSmooth };
+enum class RadiusUnit { kModel, kPixels };
+/// What the pressure of a pen scales.
+enum class PressureMapping { kNone, kSize, kStrength };
+enum class SymmetryAxis { kNone, kX, kY, kZ };
+
+struct BrushSettings {
+  BrushKind kind = BrushKind::kPaint;
+  std::string attribute = "color";
+  std::vector<double> value = {255, 0, 0};  ///< as Stroke::value
+
+  RadiusUnit radiusUnit = RadiusUnit::kPixels;
+  double radius = 1;     ///< model units, > 0
+  double radiusPx = 40;  ///< pixels of the picture; becomes a length where a stroke begins, for all of it
+  double strength = 1;   ///< in (0, 1]
+  PressureMapping pressure = PressureMapping::kNone;
+  double spacing = 0.25;  ///< of dabs along the path, in radii, > 0
+
+  SymmetryAxis symmetry = SymmetryAxis::kNone;
+  Eigen::Vector3d symmetryCenter = Eigen::Vector3d::Zero();  ///< on the plane; file coordinates
+
+  bool onlyVisible = true;  ///< leaves out what the picture hides where the stroke begins
+  std::string within = {};  ///< an attribute; only where it is not 0. Empty: everywhere
+};
+
+}  // namespace stipple
