@@ -92,7 +92,7 @@ BrushResponse BrushTool::begin(const PointerEvent& event, const BrushCanvas& can
                                .spacing = static_cast<float>(settings_.spacing),
                                .pressureScalesRadius = settings_.pressure == PressureMapping::kSize};
   running_ = Running{DabPath(options, event.px, *picked, event.pressure), settings_};
-  ring_ = BrushRing{picked->position, options.radius};
+  ring_ = SurfaceRing{picked->position, options.radius};
 
   BrushResponse response{.taken = true, .redraw = true, .phase = StrokePhase::kBegins};
   addDabs(std::array{PathDab{picked->position, event.pressure}}, canvas, response);
@@ -106,7 +106,7 @@ BrushResponse BrushTool::goOn(const PointerEvent& event, const BrushCanvas& canv
     addDabs(running_->path.extendTo(event.px, event.pressure, canvas.view, canvas.pickAt), canvas, response);
   }
   const std::optional<Picked> picked = canvas.pickAt(event.px);
-  ring_ = BrushRing{picked ? picked->position : running_->path.lastPlace(),
+  ring_ = SurfaceRing{picked ? picked->position : running_->path.lastPlace(),
                     static_cast<float>(stroke_.stroke.radius)};
   return response;
 }
@@ -147,7 +147,7 @@ BrushResponse BrushTool::hover(const PointerEvent& event, const BrushCanvas& can
   ring_.reset();
   if (const std::optional<Picked> picked = canvas.pickAt(event.px)) {
     const double radius = radiusAt(settings_, canvas.view.pixelsPerUnit(picked->depth));
-    ring_ = BrushRing{picked->position, static_cast<float>(radius)};
+    ring_ = SurfaceRing{picked->position, static_cast<float>(radius)};
   }
   return {.redraw = had || ring_};
 }

@@ -41,7 +41,7 @@ struct BrushStroke {
 };
 
 /// A circle on the surface under the pointer.
-struct BrushRing {
+struct SurfaceRing {
   glm::vec3 center{};  ///< world
   float radius = 0;    ///< world units
 };
@@ -64,7 +64,7 @@ class BrushTool {
   bool isStroking() const { return running_.has_value(); }
   /// Of the stroke that runs, or ran last.
   const BrushStroke& stroke() const { return stroke_; }
-  const std::optional<BrushRing>& ring() const { return ring_; }
+  const std::optional<SurfaceRing>& ring() const { return ring_; }
 
   /// One step is a tenth of the size: keys [ and ].
   void stepSize(float steps, const BrushCanvas& canvas);
@@ -99,7 +99,7 @@ class BrushTool {
   BrushStroke stroke_;
   std::optional<Running> running_;
   std::optional<Adjusting> adjusting_;
-  std::optional<BrushRing> ring_;
+  std::optional<SurfaceRing> ring_;
 };
 
 }  // namespace stipple

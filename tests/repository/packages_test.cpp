@@ -23,6 +23,7 @@ const std::vector<Package> kPackages = {
     {"find_package(CGAL", "CGAL::CGAL", "CGAL/"},
     {"find_package(glm", "glm::glm", "glm/"},
     {"pkg_check_modules(epoxy", "PkgConfig::epoxy", "epoxy/gl.h"},  // OpenGL
+    {"pkg_check_modules(imgui", "PkgConfig::imgui", "imgui.h"},
 };
 
 // Rooms of the program, without the tests.

@@ -36,6 +36,7 @@ const std::vector<Arrow> kArrows = {
     {"render", {"render", "core"}},
     {"app/document", {"app/document", "core", "plugins/api", "render/hierarchy"}},
     {"app/tools", {"app/tools", "app/document", "core", "render/hierarchy"}},
+    {"app/panels", {"app/panels", "core", "render/appearance"}},
     {"app", {"app", "core", "plugins/api", "render"}},
 };
 
@@ -47,10 +48,14 @@ struct Foreign {
   bool inHeaders;
 };
 const std::vector<Foreign> kForeign = {
-    {"Qt", {"Q"}, {"app/window", "app/panels", "tests/gui"}, true},
+    {"Qt", {"Q"}, {"app/window", "tests/gui"}, true},
     {"GL",
      {"epoxy/", "GL/", "GLES"},
      {"render/gl", "render/splat", "app/window", "tests/bench/render/naive_points"},
+     true},
+    {"Dear ImGui",
+     {"imgui"},
+     {"app/panels", "app/window", "tests/app/panels", "tests/bench/overlay_bench", "tests/gui"},
      true},
     {"oneTBB", {"tbb/", "oneapi/"}, {"core/parallel"}, false},
     {"nanoflann", {"nanoflann"}, {}, false},

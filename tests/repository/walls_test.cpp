@@ -51,6 +51,8 @@ TEST(Walls, KeepOursApart) {
   EXPECT_FALSE(broken("plugins/fairing/a.h", "core/points/point_set.h"));
   EXPECT_FALSE(broken("render/raster/a.h", "core/points/point_set.h"));
   EXPECT_FALSE(broken("app/cli/a.cpp", "core/points/point_set.h"));
+  EXPECT_TRUE(broken("app/panels/a.cpp", "app/document/stroke.h"));
+  EXPECT_FALSE(broken("app/panels/a.cpp", "render/appearance/colormap.h"));
   EXPECT_FALSE(broken("tests/core/a_test.cpp", "tests/support/test_data.h"));
 }
 
@@ -63,6 +65,9 @@ TEST(Walls, KeepOthersInTheirPlace) {
   EXPECT_FALSE(broken("app/window/a.h", "QMainWindow"));
   EXPECT_TRUE(broken("render/hierarchy/a.cpp", "epoxy/gl.h"));
   EXPECT_TRUE(broken("app/panels/a.cpp", "GL/gl.h"));
+  EXPECT_TRUE(broken("app/panels/a.cpp", "QWidget"));
+  EXPECT_TRUE(broken("app/tools/a.cpp", "imgui.h"));
+  EXPECT_FALSE(broken("app/panels/a.cpp", "imgui_internal.h"));
   EXPECT_FALSE(broken("render/gl/a.h", "epoxy/gl.h"));
   EXPECT_TRUE(broken("core/geometry/a.h", "nanoflann.hpp"));
   EXPECT_FALSE(broken("core/geometry/a.cpp", "nanoflann.hpp"));
