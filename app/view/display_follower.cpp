@@ -75,8 +75,14 @@ Restate DisplayFollower::restate(const PointSet& points, bool moved) {
 }
 
 SceneChange DisplayFollower::restyle(const PointSet& points, const Look& look) {
+  if (points.size() != size_) return show(points, look);
   wanted_ = look;
-  return restate(points, false);
+  return restate(points, moved(points));
+}
+
+bool DisplayFollower::moved(const PointSet& points) const {
+  return positions_ != points.positionColumn().id() || normals_ != columnOf(points, "normal") ||
+      displayNormals_ != columnOf(points, "display_normal");
 }
 
 bool DisplayFollower::shows(const std::string& column) const {
@@ -88,9 +94,7 @@ bool DisplayFollower::shows(const std::string& column) const {
 
 std::optional<SceneChange> DisplayFollower::follow(const PointSet& points, const DocumentChange& change) {
   if (change.everything || points.size() != size_) return show(points, wanted_);
-  const bool moved = positions_ != points.positionColumn().id() || normals_ != columnOf(points, "normal") ||
-      displayNormals_ != columnOf(points, "display_normal");
-  if (moved) return restate(points, true);
+  if (moved(points)) return restate(points, true);
   std::vector<Index> rows;
   for (const Edit::Touched& touched : change.columns) {
     if (!shows(touched.name)) continue;
@@ -110,9 +114,7 @@ std::optional<SceneChange> DisplayFollower::follow(const PointSet& points, const
 
 std::optional<SceneChange> DisplayFollower::preview(const PointSet& points) {
   if (points.size() != size_) return {};
-  const bool moved = positions_ != points.positionColumn().id() || normals_ != columnOf(points, "normal") ||
-      displayNormals_ != columnOf(points, "display_normal");
-  return restate(points, moved);
+  return restate(points, moved(points));
 }
 
 }  // namespace stipple

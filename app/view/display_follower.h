@@ -30,6 +30,7 @@ class DisplayFollower {
   Look fitting(const PointSet& points, Look look) const;
   Restate restate(const PointSet& points, bool moved);
   bool shows(const std::string& column) const;
+  bool moved(const PointSet& points) const;
   void remember(const PointSet& points);
 
   Look wanted_, look_;

@@ -14,18 +14,9 @@
 #include "app/jobs/task.h"
 #include "app/plugins/loader.h"
 #include "app/window/open_scan.h"
+#include "app/window/process_state.h"
 
 namespace stipple {
-
-/// What the running process tells the window.
-struct ProcessState {
-  std::string operatorId, title, message;
-  bool isPaused = false, isSteppable = false;
-  double fraction = 0;
-  std::optional<double> secondsLeft = {};
-  int steps = 0;
-  std::vector<float> curve = {};
-};
 
 /// The open scans, and all that is done to them: by the user at once, by tasks and processes meanwhile. Knows
 /// no widgets. Everything that can fail ends in one sentence, see said().
@@ -52,7 +43,9 @@ class Workbench final : public QObject {
   void setCurrent(int index);
   /// Reads on a worker; the scan appears when it is there.
   void open(const std::filesystem::path& path, bool isSample = false);
+  void openSample();
   void close(int index);
+  void closeAll();
   /// Writes on a worker.
   void save(const std::filesystem::path& path);
   bool isSaving() const { return saving_ != nullptr; }
@@ -64,16 +57,24 @@ class Workbench final : public QObject {
   void undo();
   void redo();
   void goTo(std::size_t position);
-  bool canEdit() const { return current() != nullptr; }
-  /// After strokes and other changes made on the document itself.
-  void tellPointsChanged();
+  void flipNormals();
+  void deleteSelection();
+  /// Plays on a worker; one entry of the history for each step.
+  void play(const Recipe& recipe);
+  /// After strokes and other changes made on the document itself; while a stroke goes on only what shows the
+  /// surface is told.
+  enum class Change { kGoesOn, kDone };
+  void tellPointsChanged(Change change = Change::kDone);
 
   // Processes
   void run(const Invocation& invocation, bool startsPaused = false);
   bool isRunning() const { return job_ != nullptr; }
+  /// The scan that the process works on; null where none runs.
+  OpenScan* processScan() const;
   std::optional<ProcessState> process() const;
   void pause();
   void resume();
+  void togglePause();
   void stepOnce();
   void stop();
   void cancel();
@@ -92,11 +93,17 @@ class Workbench final : public QObject {
   void scansChanged();
   void currentChanged();
   void pointsChanged();
-  /// A running process has another state to show. Empty after it, when the document shows again.
+  /// A stroke goes on: values of some points changed.
+  void pointsTouched();
+  /// A running process has another state to show.
   void previewChanged(const PointSet* state);
+  /// The document shows again.
+  void previewEnded();
   void processChanged();
   void taskChanged();
   void distanceReady();
+  /// A file was read or written: it belongs to the recent ones.
+  void opened(const QString& path);
   void saved();
   void said(const QString& sentence, const QString& details);
 
@@ -112,6 +119,7 @@ class Workbench final : public QObject {
   void followJob();
   void finishJob();
   void commitJob();
+  void showResult(OpenScan& scan, const Invocation& invocation);
   void takeMessages();
   void keepTicking();
   bool refuseAcrossProcess(std::size_t position);

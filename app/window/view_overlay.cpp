@@ -1,0 +1,150 @@
+// The part of the view controller that fills and follows the overlay.
+#include <fmt/format.h>
+
+#include <QMessageBox>
+#include <QTimer>
+#include <QWidget>
+#include <algorithm>
+#include <cmath>
+
+#include "app/tools/inspect.h"
+#include "app/tools/measure.h"
+#include "app/window/view_controller.h"
+#include "app/window/workbench.h"
+
+namespace stipple {
+
+namespace {
+
+constexpr int kRingPoints = 64;
+
+std::optional<glm::vec2> onScreen(const View& view, const glm::vec3& place) {
+  const glm::vec3 inView = view.toView(place);
+  if (inView.z <= view.nearDepth) return {};
+  return view.toPixels(inView);
+}
+
+// The normal of what the picture shows around a pixel, from three picked places.
+glm::vec3 pickedNormal(const PickAt& pickAt, const glm::vec2& px, const View& view, const glm::vec3& center) {
+  const glm::vec3 towardsEye = glm::normalize(view.eye - center);
+  const auto right = pickAt(px + glm::vec2(4, 0)), down = pickAt(px + glm::vec2(0, 4));
+  if (!right || !down) return towardsEye;
+  const glm::vec3 normal = glm::cross(right->position - center, down->position - center);
+  const float length = glm::length(normal);
+  if (!(length > 0)) return towardsEye;
+  const glm::vec3 unit = normal / length;
+  return glm::dot(unit, towardsEye) < 0 ? -unit : unit;
+}
+
+ScreenLine ringLine(const View& view, const glm::vec3& center, const glm::vec3& normal, float radius) {
+  const glm::vec3 other = std::abs(normal.x) < 0.7f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+  const glm::vec3 u = glm::normalize(glm::cross(normal, other)), v = glm::cross(normal, u);
+  ScreenLine ring{.points = {}, .isClosed = true};
+  for (int i = 0; i < kRingPoints; ++i) {
+    const float angle = 6.2831853f * static_cast<float>(i) / kRingPoints;
+    if (const auto px = onScreen(view, center + radius * (std::cos(angle) * u + std::sin(angle) * v)))
+      ring.points.push_back(*px);
+  }
+  return ring;
+}
+
+ScreenLine lineOfOutline(const std::vector<glm::vec2>& outline, bool isRectangle) {
+  if (!isRectangle) return {.points = outline, .isClosed = true};
+  const glm::vec2 a = outline.front(), b = outline.back();
+  return {.points = {a, {b.x, a.y}, b, {a.x, b.y}}, .isClosed = true};
+}
+
+}  // namespace
+
+std::vector<ScreenLine> ViewController::overlayLines() const {
+  std::vector<ScreenLine> lines;
+  const auto notes = viewport_->notes();
+  if (!notes || !workbench_.current()) return lines;
+  if (isBrush() && brush_.ring() && mouse_) {
+    const SurfaceRing& ring = *brush_.ring();
+    const PickAt pickAt = [this](const glm::vec2& px) { return viewport_->pickAt(px); };
+    const glm::vec3 normal = pickedNormal(pickAt, *mouse_, notes->view, ring.center);
+    lines.push_back(ringLine(notes->view, ring.center, normal, ring.radius));
+    // Where the brush is half as strong: (1 - t^2)^2 = 1/2.
+    if (lines.back().points.size() > 2)
+      lines.push_back(ringLine(notes->view, ring.center, normal, 0.541f * ring.radius));
+  }
+  if (!outline_.empty()) lines.push_back(lineOfOutline(outline_, tool_ == Tool::kRectangle));
+  ScreenLine measured;
+  for (const Picked& picked : measured_) {
+    if (const auto px = onScreen(notes->view, picked.position)) measured.points.push_back(*px);
+  }
+  if (measured.points.size() > 1) lines.push_back(measured);
+  std::erase_if(lines, [](const ScreenLine& line) { return line.points.size() < 2; });
+  return lines;
+}
+
+std::vector<ScreenText> ViewController::overlayTexts() const {
+  std::vector<ScreenText> texts;
+  const auto notes = viewport_->notes();
+  const auto add = [&](const glm::vec3& place, const std::string& text) {
+    const auto px = notes ? onScreen(notes->view, place) : std::nullopt;
+    if (px && !text.empty()) texts.push_back({*px, text});
+  };
+  if (!measured_.empty()) add(measured_.back().position, measuredText_);
+  if (inspected_) add(inspected_->position, inspectedText_);
+  return texts;
+}
+
+void ViewController::fillOverlay() {
+  OpenScan* scan = workbench_.current();
+  if (scan && isBrush())
+    overlayView_.showBrush(brush_.settings(), tool_ == Tool::kSelect, *scan);
+  else
+    overlayView_.hideBrush();
+  overlayView_.showProcess(workbench_.process());
+  overlayView_.showLegend(scan);
+  overlayView_.showStatistics(scan, viewport_->notes(), viewport_->backend());
+}
+
+const ImDrawData& ViewController::drawOverlay() {
+  fillOverlay();
+  const PictureSize size = pictureSize();
+  const auto seconds = static_cast<float>(overlayClock_.restart()) / 1000;
+  overlayContext_.beginFrame({size.width, size.height}, std::max(seconds, 1e-4f));
+  const OverlayActions actions = overlayView_.draw(overlayLines(), overlayTexts());
+  const ImDrawData& drawing = overlayContext_.endFrame();
+  // What the user did acts after the picture is painted, not within.
+  QMetaObject::invokeMethod(this, [this, actions] { applyOverlay(actions); }, Qt::QueuedConnection);
+  if (overlayContext_.hasPendingInput() || overlayView_.isAnimated())
+    QTimer::singleShot(30, this, [this] { viewport_->widget().update(); });
+  return drawing;
+}
+
+void ViewController::applyOverlay(const OverlayActions& actions) {
+  OpenScan* scan = workbench_.current();
+  if (actions.curve.pause) workbench_.pause();
+  if (actions.curve.resume) workbench_.resume();
+  if (actions.curve.step) workbench_.stepOnce();
+  if (actions.curve.stop) workbench_.stop();
+  if (actions.curve.cancel) workbench_.cancel();
+  if (actions.cards.dismiss)
+    std::erase_if(overlayView_.cards, [&](const HintCard& card) { return card.id == *actions.cards.dismiss; });
+  if (actions.cards.start) emit cardStarted(QString::fromStdString(*actions.cards.start));
+  if (actions.message.showDetails)
+    QMessageBox(QMessageBox::NoIcon, tr("Details"), QString::fromStdString(overlayView_.details()), QMessageBox::Ok,
+                &viewport_->widget())
+        .exec();
+  if (!scan || !isBrush()) return;
+  if (actions.brush.tool) {
+    static constexpr Tool kTools[] = {Tool::kPaint, Tool::kErase, Tool::kSmooth, Tool::kSelect};
+    return setTool(kTools[static_cast<int>(*actions.brush.tool)]);
+  }
+  BrushSettings settings = brush_.settings();
+  settings.symmetryCenter = scan->document.points().origin() +
+      Eigen::Vector3d(scan->extent.sphere.center.x, scan->extent.sphere.center.y, scan->extent.sphere.center.z);
+  applyBrushActions(actions.brush, overlayView_.paintedAttributes(), *scan, settings);
+  const bool isOther = actions.brush.attribute.has_value();
+  setBrush(settings);
+  if (isOther && tool_ != Tool::kSelect) {
+    scan->look.colors = ColorSource{.attribute = settings.attribute == "color" ? "" : settings.attribute};
+    relook();
+  }
+}
+
+}  // namespace stipple

@@ -1,0 +1,335 @@
+#include "app/window/workbench.h"
+
+#include <fmt/format.h>
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <algorithm>
+
+#include "app/tools/selection.h"
+#include "app/window/job_notes.h"
+#include "core/points/region.h"
+
+namespace stipple {
+
+namespace {
+
+constexpr int kTick = 12;  // milliseconds between looks at what goes on
+
+QString sentenceOf(const std::exception& error) {
+  QString text = QString::fromStdString(error.what());
+  if (!text.endsWith('.')) text += '.';
+  return text;
+}
+
+std::filesystem::path sampleFile() {
+  const QDir programs(QCoreApplication::applicationDirPath());
+  return programs.absoluteFilePath("../share/stipple/sample/spot.ply").toStdString();
+}
+
+}  // namespace
+
+struct Workbench::Opening {
+  std::filesystem::path path;
+  bool isSample;
+  Task<ReadResult> task;
+};
+
+struct Workbench::Saving {
+  OpenScan* scan;
+  std::filesystem::path path;
+  std::uint64_t revision;
+  Task<std::vector<std::string>> task;
+};
+
+struct Workbench::Preparing {
+  OpenScan* scan;
+  ColumnId positions;
+  Task<std::shared_ptr<const SurfaceDistance>> task;
+};
+
+Workbench::Workbench(LoadedPlugins plugins, Options options)
+    : plugins_(std::move(plugins)), options_(std::move(options)) {
+  timer_.setInterval(kTick);
+  connect(&timer_, &QTimer::timeout, this, &Workbench::tick);
+}
+
+Workbench::~Workbench() = default;
+
+OpenScan* Workbench::current() const {
+  return current_ >= 0 ? scans_[static_cast<std::size_t>(current_)].get() : nullptr;
+}
+
+OpenScan* Workbench::processScan() const {
+  return jobNotes_ ? jobNotes_->scan : nullptr;
+}
+
+void Workbench::setCurrent(int index) {
+  if (index == current_ || index < 0 || index >= static_cast<int>(scans_.size())) return;
+  current_ = index;
+  emit currentChanged();
+}
+
+void Workbench::keepTicking() {
+  const bool isBusy = !openings_.empty() || saving_ || preparing_ || job_;
+  if (isBusy && !timer_.isActive()) timer_.start();
+  if (!isBusy) timer_.stop();
+}
+
+void Workbench::openSample() {
+  open(sampleFile(), true);
+}
+
+void Workbench::open(const std::filesystem::path& path, bool isSample) {
+  openings_.push_back(std::make_unique<Opening>(
+      Opening{path, isSample, Task<ReadResult>([path](Progress& progress) { return readPoints(path, progress); })}));
+  keepTicking();
+  emit taskChanged();
+}
+
+void Workbench::addScan(ReadResult read, const std::filesystem::path& path, bool isSample) {
+  auto scan = std::make_unique<OpenScan>(std::move(read.points), path, options_.history);
+  scan->title = QString::fromStdString(path.filename().string());
+  scan->isSample = isSample;
+  scan->camera = OrbitCamera(UpAxis::kY);
+  scan->camera.frame(scan->extent.sphere);
+  scans_.push_back(std::move(scan));
+  current_ = static_cast<int>(scans_.size()) - 1;
+  emit scansChanged();
+  emit currentChanged();
+  if (!read.warnings.empty()) {
+    QStringList all;
+    for (const std::string& warning : read.warnings) all << QString::fromStdString(warning);
+    say(all.front(), all.join('\n'));
+  }
+}
+
+void Workbench::followOpening() {
+  if (openings_.empty()) return;
+  emit taskChanged();
+  if (!openings_.front()->task.isDone()) return;
+  const std::unique_ptr<Opening> done = std::move(openings_.front());
+  openings_.erase(openings_.begin());
+  try {
+    addScan(done->task.takeResult(), done->path, done->isSample);
+    if (!done->isSample) emit opened(QString::fromStdString(done->path.string()));
+  } catch (const Cancelled&) {
+  } catch (const std::exception& error) {
+    say(sentenceOf(error));
+  }
+  emit taskChanged();
+}
+
+void Workbench::close(int index) {
+  OpenScan* scan = scans_[static_cast<std::size_t>(index)].get();
+  if (jobNotes_ && jobNotes_->scan == scan) cancel();
+  if (saving_ && saving_->scan == scan) finishSaving();
+  if (preparing_ && preparing_->scan == scan) preparing_.reset();
+  const std::unique_ptr<OpenScan> held = std::move(scans_[static_cast<std::size_t>(index)]);
+  scans_.erase(scans_.begin() + index);
+  current_ = std::min(current_, static_cast<int>(scans_.size()) - 1);
+  emit scansChanged();
+  emit currentChanged();
+}
+
+void Workbench::closeAll() {
+  while (!scans_.empty()) close(static_cast<int>(scans_.size()) - 1);
+}
+
+void Workbench::save(const std::filesystem::path& path) {
+  OpenScan* scan = current();
+  if (!scan) return;
+  if (saving_) return say(tr("Another save is still going on."));
+  try {
+    requireWritableFormat(path);
+  } catch (const Error& error) {
+    return say(sentenceOf(error));
+  }
+  const PointSet points = scan->document.points();
+  saving_ = std::make_unique<Saving>(Saving{
+      scan, path, scan->document.revision(), Task<std::vector<std::string>>([points, path](Progress& progress) {
+        return writePoints(path, points, {}, progress);
+      })});
+  keepTicking();
+  emit taskChanged();
+}
+
+void Workbench::followSaving() {
+  if (!saving_) return;
+  emit taskChanged();
+  if (!saving_->task.isDone()) return;
+  const std::unique_ptr<Saving> done = std::move(saving_);
+  try {
+    const std::vector<std::string> losses = done->task.takeResult();
+    const QString name = QString::fromStdString(done->path.filename().string());
+    if (losses.empty()) {
+      done->scan->document.markSaved(done->path, done->revision);
+      done->scan->title = name;
+      done->scan->isSample = false;
+      say(tr("Saved as %1.").arg(QString::fromStdString(done->path.string())));
+      emit opened(QString::fromStdString(done->path.string()));
+    } else {
+      QStringList all;
+      for (const std::string& loss : losses) all << QString::fromStdString(loss);
+      say(tr("%1 is written, but cannot hold everything; save as PLY to keep it all.").arg(name), all.join('\n'));
+    }
+  } catch (const Cancelled&) {
+    say(tr("Saving was cancelled; the file is as it was."));
+  } catch (const std::exception& error) {
+    say(sentenceOf(error));
+  }
+  emit saved();
+  emit taskChanged();
+}
+
+bool Workbench::finishSaving() {
+  if (!saving_) return true;
+  OpenScan* scan = saving_->scan;
+  saving_->task.wait();
+  followSaving();
+  return !scan->document.isModified();
+}
+
+void Workbench::commit(const std::string& title, const PointSet& after, std::optional<Recipe::Step> step) {
+  OpenScan* scan = current();
+  if (!scan) return;
+  try {
+    scan->document.commit(title, difference(scan->document.points(), after), std::move(step));
+  } catch (const Error& error) {
+    say(sentenceOf(error));
+  }
+  tellPointsChanged();
+}
+
+void Workbench::flipNormals() {
+  const OpenScan* scan = current();
+  if (!scan) return;
+  PointSet after = scan->document.points();
+  const Attribute* normal = after.find("normal");
+  if (!normal || normal->type() != AttributeType::kVector3) return say(tr("These points have no normals to flip."));
+  const Region region = after.has(kSelection) ? regionWhereNotZero(after, kSelection) : Region();
+  const std::span<Eigen::Vector3f> normals = after.edit<Eigen::Vector3f>("normal");
+  for (Index row = 0; row < after.size(); ++row) {
+    if (region.contains(row)) normals[row] = -normals[row];
+  }
+  commit("Flip normals", after);
+}
+
+void Workbench::deleteSelection() {
+  OpenScan* scan = current();
+  if (!scan || !scan->document.points().has(kSelection)) return;
+  if (jobNotes_ && jobNotes_->scan == scan) return say(tr("Points cannot be removed while a process runs on them."));
+  const PointSet& before = scan->document.points();
+  const std::vector<Index> rows = regionWhereNotZero(before, kSelection).rows(before.size());
+  if (rows.size() == before.size()) return say(tr("All points are selected; deleting them would leave nothing."));
+  PointSet after = before;
+  after.removeRows(rows);
+  after.erase(kSelection);
+  scan->document.commit("Delete selected points", difference(before, after, rows));
+  tellPointsChanged();
+}
+
+void Workbench::tellPointsChanged(Change change) {
+  if (change == Change::kGoesOn) {
+    emit pointsTouched();
+    return;
+  }
+  takeMessages();
+  emit pointsChanged();
+}
+
+void Workbench::takeMessages() {
+  if (OpenScan* scan = current()) {
+    if (const auto message = scan->document.takeMessage()) say(QString::fromStdString(*message));
+  }
+}
+
+// Undo must not reach behind the start of a process that will commit to what it started from.
+bool Workbench::refuseAcrossProcess(std::size_t position) {
+  if (!jobNotes_ || jobNotes_->scan != current() || position >= jobNotes_->position) return false;
+  say(tr("%1 is running: what was done before it started cannot be undone now. Cancel it first.")
+          .arg(QString::fromStdString(jobNotes_->title)));
+  return true;
+}
+
+void Workbench::goTo(std::size_t position) {
+  OpenScan* scan = current();
+  if (!scan || refuseAcrossProcess(position)) return;
+  try {
+    scan->document.goTo(position);
+  } catch (const Error& error) {
+    say(sentenceOf(error));
+  }
+  tellPointsChanged();
+}
+
+void Workbench::undo() {
+  const OpenScan* scan = current();
+  if (scan && scan->document.history().canUndo()) goTo(scan->document.history().position() - 1);
+}
+
+void Workbench::redo() {
+  const OpenScan* scan = current();
+  if (scan && scan->document.history().canRedo()) goTo(scan->document.history().position() + 1);
+}
+
+void Workbench::prepareDistance() {
+  OpenScan* scan = current();
+  if (!scan || scan->hasDistance()) return;
+  const ColumnId positions = scan->document.points().positionColumn().id();
+  if (preparing_ && preparing_->scan == scan && preparing_->positions == positions) return;
+  const PointSet points = scan->document.points();
+  preparing_ = std::make_unique<Preparing>(
+      Preparing{scan, positions, Task<std::shared_ptr<const SurfaceDistance>>([points](Progress& progress) {
+                  progress.report(0, "preparing the brush");
+                  return std::make_shared<const SurfaceDistance>(points, &progress);
+                })});
+  keepTicking();
+  emit taskChanged();
+}
+
+void Workbench::followPreparing() {
+  if (!preparing_ || !preparing_->task.isDone()) return;
+  const std::unique_ptr<Preparing> done = std::move(preparing_);
+  try {
+    done->scan->distance = done->task.takeResult();
+    done->scan->distanceOf = done->positions;
+    emit distanceReady();
+  } catch (const Cancelled&) {
+  } catch (const std::exception& error) {
+    say(sentenceOf(error));
+  }
+  emit taskChanged();
+}
+
+std::optional<TaskStatus> Workbench::task() const {
+  const auto named = [](TaskStatus status, const std::string& what) {
+    status.message = what;
+    return status;
+  };
+  if (!openings_.empty())
+    return named(openings_.front()->task.status(), "reading " + openings_.front()->path.filename().string());
+  if (saving_) return named(saving_->task.status(), "saving " + saving_->path.filename().string());
+  if (preparing_) return named(preparing_->task.status(), "preparing the brush");
+  return {};
+}
+
+void Workbench::cancelTask() {
+  if (!openings_.empty())
+    openings_.front()->task.cancel();
+  else if (saving_)
+    saving_->task.cancel();
+  else if (preparing_)
+    preparing_->task.cancel();
+}
+
+void Workbench::tick() {
+  followOpening();
+  followSaving();
+  followPreparing();
+  followJob();
+  keepTicking();
+}
+
+}  // namespace stipple
