@@ -88,16 +88,17 @@ Invocation readInvocation(const Json& step, const std::string& where, const Regi
 }
 
 StrokeTool readTool(const std::string& name, const std::string& where) {
-  if (name == "paint") return StrokeTool::kPaint;
-  if (name == "erase") return StrokeTool::kErase;
-  refuse(where, fmt::format("is '{}', expected paint or erase", name));
+  for (const StrokeTool tool : {StrokeTool::kPaint, StrokeTool::kErase, StrokeTool::kSmooth}) {
+    if (name == nameOf(tool)) return tool;
+  }
+  refuse(where, fmt::format("is '{}', expected paint, erase or smooth", name));
 }
 
 Stroke readStroke(const Json& step, const std::string& where) {
   checkKeys(step, where, {"stroke"});
   const Json& json = step["stroke"];
   const std::string inside = where + ": stroke";
-  checkKeys(json, inside, {"tool", "attribute", "value", "radius", "strength", "dabs"});
+  checkKeys(json, inside, {"tool", "attribute", "value", "radius", "strength", "dabs", "within"});
   Stroke stroke;
   stroke.tool = readTool(readText(require(json, inside, "tool"), inside + ": tool"), inside + ": tool");
   stroke.attribute = readText(require(json, inside, "attribute"), inside + ": attribute");
@@ -111,6 +112,7 @@ Stroke readStroke(const Json& step, const std::string& where) {
   if (!(stroke.strength > 0 && stroke.strength <= 1)) {
     refuse(inside + ": strength", fmt::format("is {}, expected in (0, 1]", stroke.strength));
   }
+  if (json.contains("within")) stroke.within = readText(json["within"], inside + ": within");
   const Json& dabs = require(json, inside, "dabs");
   if (!dabs.is_array()) refuse(inside + ": dabs", "is not a list");
   for (const Json& entry : dabs) {
@@ -153,14 +155,14 @@ Json toJson(const Invocation& invocation) {
 }
 
 Json toJson(const Stroke& stroke) {
-  Json json = {{"tool", stroke.tool == StrokeTool::kPaint ? "paint" : "erase"},
-               {"attribute", stroke.attribute}};
+  Json json = {{"tool", nameOf(stroke.tool)}, {"attribute", stroke.attribute}};
   if (stroke.value.size() == 1)
     json["value"] = stroke.value.front();
   else if (!stroke.value.empty())
     json["value"] = stroke.value;
   json["radius"] = stroke.radius;
   json["strength"] = stroke.strength;
+  if (!stroke.within.empty()) json["within"] = stroke.within;
   json["dabs"] = Json::array();
   for (const Dab& dab : stroke.dabs) {
     json["dabs"].push_back({dab.position.x(), dab.position.y(), dab.position.z(), dab.pressure});

@@ -10,7 +10,7 @@ namespace stipple {
 namespace {
 
 template <class T>
-bool isNotZero(const T& value) {
+bool differsFromZero(const T& value) {
   if constexpr (std::is_same_v<T, Rgba8>)
     return value.r != 0 || value.g != 0 || value.b != 0;
   else if constexpr (std::is_same_v<T, Eigen::Vector3f>)
@@ -61,10 +61,15 @@ Region regionWhereNotZero(const PointSet& points, std::string_view attribute) {
   std::vector<std::uint8_t> mask(points.size());
   std::visit(
       [&](const auto& values) {
-        for (std::size_t row = 0; row < values.size(); ++row) mask[row] = isNotZero(values[row]) ? 1 : 0;
+        for (std::size_t row = 0; row < values.size(); ++row)
+          mask[row] = differsFromZero(values[row]) ? 1 : 0;
       },
       found->column.values());
   return Region(points, std::move(mask));
+}
+
+bool isNotZero(const AttributeValues& values, Index row) {
+  return std::visit([&](const auto& column) { return differsFromZero(column[row]); }, values);
 }
 
 }  // namespace stipple

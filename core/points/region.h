@@ -41,4 +41,7 @@ Region regionOfRows(const PointSet& points, std::span<const Index> rows);
 /// black. Throws InvalidInput where there is no such attribute.
 Region regionWhereNotZero(const PointSet& points, std::string_view attribute);
 
+/// Whether regionWhereNotZero has this row of the attribute.
+bool isNotZero(const AttributeValues& values, Index row);
+
 }  // namespace stipple

@@ -76,7 +76,7 @@ TEST(Recipe, RefusesWhatIsNotARecipe) {
       {withSteps(R"({"operator":"stepper","parameters":{"steps":[1]}})"), "not a bool, number or text"},
       {withStroke(good + R"(,"color":1)"), "step 1: stroke has the unknown key 'color'"},
       {withStroke(R"("tool":"smear","attribute":"a","value":1,"radius":1,"dabs":[])"),
-       "'smear', expected paint or erase"},
+       "'smear', expected paint, erase or smooth"},
       {withStroke(R"("tool":"paint","attribute":"a","radius":1,"dabs":[])"), "has no 'value'"},
       {withStroke(R"("tool":"paint","attribute":"a","value":1,"radius":0,"dabs":[])"),
        "radius is 0, expected > 0"},
@@ -89,6 +89,22 @@ TEST(Recipe, RefusesWhatIsNotARecipe) {
   for (const auto& [text, message] : cases) {
     EXPECT_THAT(parsing(text), ThrowsMessage<InvalidInput>(HasSubstr(message))) << text;
   }
+}
+
+TEST(Recipe, StrokesMaySmoothAndStayWithinAnAttribute) {
+  const Registry registry = testOperators();
+  const std::string text =
+      withStroke(R"("tool":"smooth","attribute":"height","radius":1.5,"within":"mask","dabs":[[1,0,0,1]])");
+  const Recipe recipe = parseRecipe(text, registry);
+  EXPECT_EQ(formatRecipe(parseRecipe(formatRecipe(recipe), registry)), formatRecipe(recipe));
+  PointSet points = fourPoints();
+  points.set("height", std::vector<float>{0, 4, 0, 0});
+  Progress progress;
+  EXPECT_THAT([&] { play(recipe, registry, points, progress); },
+              ThrowsMessage<UsageError>(HasSubstr("step 1: there is no attribute 'mask' to paint within")));
+  points.set("mask", std::vector<std::int32_t>{0, 1, 0, 1});
+  const PointSet played = play(recipe, registry, points, progress).points;
+  EXPECT_THAT(played.values<float>("height"), ElementsAre(0, 0, 0, 0));
 }
 
 TEST(Recipe, UnknownOperatorsAndValuesOutOfRangeAreUsageErrors) {

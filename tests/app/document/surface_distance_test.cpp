@@ -2,8 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <queue>
+#include <random>
+#include <thread>
+#include <unordered_map>
+
+#include "tests/support/shapes.h"
 
 namespace stipple {
 namespace {
@@ -50,6 +58,69 @@ TEST(SurfaceDistance, FindsTheNearestSite) {
   const SurfaceDistance surface(PointSet({{0, 0, 0}, {1, 0, 0}, {5, 0, 0}}));
   EXPECT_EQ(surface.sites().positions[surface.findNearest({4, 1, 0})].x(), 5);
   EXPECT_EQ(surface.findWithin(surface.findNearest({0, 0, 0}), 0.5f).size(), 1u);
+}
+
+// Dijkstra as it is written in books.
+std::vector<Reached> findWithinByTheBook(const SurfaceDistance& surface, Index start, float radius) {
+  using Entry = std::pair<float, Index>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
+  std::unordered_map<Index, float> best = {{start, 0.0f}};
+  std::vector<Reached> reached;
+  front.emplace(0.0f, start);
+  const auto& positions = surface.sites().positions;
+  while (!front.empty()) {
+    const auto [distance, site] = front.top();
+    front.pop();
+    if (distance > best[site]) continue;
+    reached.push_back({site, distance});
+    for (const Index neighbor : surface.neighborsOf(site)) {
+      const Eigen::Vector3f step = positions[neighbor] - positions[site];
+      const float through =
+          distance + std::sqrt(step.x() * step.x() + step.y() * step.y() + step.z() * step.z());
+      if (through > radius) continue;
+      const auto [known, isNew] = best.try_emplace(neighbor, through);
+      if (!isNew && known->second <= through) continue;
+      known->second = through;
+      front.emplace(through, neighbor);
+    }
+  }
+  return reached;
+}
+
+bool sameReach(const std::vector<Reached>& a, const std::vector<Reached>& b) {
+  return std::ranges::equal(a, b, [](const Reached& left, const Reached& right) {
+    return left.site == right.site && left.distance == right.distance;
+  });
+}
+
+// On a grid many sites are equally far.
+TEST(SurfaceDistance, FindsWhatTheBookFinds) {
+  for (const PointSet& points : {PointSet(shapes::randomSphere(3000)), PointSet(shapes::grid(50))}) {
+    const SurfaceDistance surface(points);
+    std::mt19937 random(1);
+    for (int i = 0; i < 50; ++i) {
+      const Index start = std::uniform_int_distribution<Index>(0, surface.sites().size() - 1)(random);
+      const float radius = 0.02f * static_cast<float>(i);
+      ASSERT_TRUE(sameReach(surface.findWithin(start, radius), findWithinByTheBook(surface, start, radius)));
+    }
+  }
+}
+
+TEST(SurfaceDistance, ThreadsMayShareIt) {
+  const SurfaceDistance surface(PointSet(shapes::randomSphere(2000)));
+  const auto alone = surface.findWithin(5, 0.5f);
+  std::vector<std::jthread> threads;
+  for (int t = 0; t < 4; ++t) {
+    threads.emplace_back([&] {
+      for (int i = 0; i < 20; ++i) EXPECT_TRUE(sameReach(surface.findWithin(5, 0.5f), alone));
+    });
+  }
+}
+
+TEST(SurfaceDistance, KnowsAllRowsOfASite) {
+  const SurfaceDistance surface(PointSet({{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}));
+  const auto rows = surface.pointsOf(surface.findNearest({0, 0, 0}));
+  EXPECT_EQ(std::vector<Index>(rows.begin(), rows.end()), (std::vector<Index>{0, 2}));
 }
 
 }  // namespace
