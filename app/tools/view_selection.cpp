@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -15,7 +16,7 @@ namespace stipple {
 
 namespace {
 
-constexpr std::size_t kBlock = 1 << 16;
+constexpr std::size_t kBlock = 1 << 14;
 // Of what a pixel covers: surfaces change their depth across it.
 constexpr float kTolerancePx = 3;
 
@@ -28,58 +29,78 @@ void checkDepth(const SeenPoints& points) {
 }
 
 struct Seen {
+  bool isSeen = false;
   glm::vec2 px{};
   float depth = 0;
 };
 
-// Answers for one point at a time; rejects by `within(px)` before it looks at the depth.
+// Answers for one point at a time. Whether it is hidden is no branch: the order of the rows says nothing.
 class Looker {
  public:
   explicit Looker(const SeenPoints& points)
-      : points_(points),
-        size_(static_cast<float>(points.view.width), static_cast<float>(points.view.height)) {}
+      : view_(points.view),
+        positions_(points.positions),
+        depth_(points.depth),
+        tolerance_(points.tolerance),
+        center_(view_.centerPx()),
+        size_(static_cast<float>(view_.width), static_cast<float>(view_.height)) {}
 
   template <class Within>
-  std::optional<Seen> look(Index row, const Within& within) const {
-    const Eigen::Vector3f& p = points_.positions[row];
-    const glm::vec3 inView = points_.view.toView({p.x(), p.y(), p.z()});
-    if (!(inView.z >= points_.view.nearDepth)) return std::nullopt;
-    const glm::vec2 px = points_.view.toPixels(inView);
-    if (!(px.x >= 0 && px.y >= 0 && px.x < size_.x && px.y < size_.y) || !within(px)) return std::nullopt;
-    if (!points_.depth.empty()) {
-      const auto at = static_cast<std::size_t>(px.y) * static_cast<std::size_t>(points_.view.width) +
-                      static_cast<std::size_t>(px.x);
-      const float allowed = std::max(points_.tolerance, kTolerancePx / points_.view.pixelsPerUnit(inView.z));
-      if (inView.z > points_.depth[at] + allowed) return std::nullopt;
-    }
-    return Seen{px, inView.z};
+  Seen look(Index row, const Within& within) const {
+    const Eigen::Vector3f& p = positions_[row];
+    const glm::vec3 inView = view_.toView({p.x(), p.y(), p.z()});
+    const float scale = view_.pixelsPerUnit(inView.z);
+    Seen seen{.px = center_ + scale * glm::vec2(inView.x, inView.y), .depth = inView.z};
+    const bool isInside = (inView.z >= view_.nearDepth) & (seen.px.x >= 0) & (seen.px.y >= 0) &
+                          (seen.px.x < size_.x) & (seen.px.y < size_.y);
+    // Most shapes take nearly all or nearly none; not a number is not converted.
+    if (!isInside) return seen;
+    const auto at =
+        static_cast<Index>(seen.px.y) * static_cast<Index>(view_.width) + static_cast<Index>(seen.px.x);
+    if (!within(seen.px, at)) return seen;
+    seen.isSeen = depth_.empty() || inView.z <= depth_[at] + std::max(tolerance_, kTolerancePx / scale);
+    return seen;
   }
 
  private:
-  const SeenPoints& points_;
-  glm::vec2 size_;
+  const View view_;
+  std::span<const Eigen::Vector3f> positions_;
+  std::span<const float> depth_;
+  float tolerance_;
+  glm::vec2 center_, size_;
 };
 
+std::vector<Index> concatenate(const std::vector<std::vector<Index>>& parts) {
+  std::vector<std::size_t> begins{0};
+  for (const auto& part : parts) begins.push_back(begins.back() + part.size());
+  std::vector<Index> all(begins.back());
+  parallelFor(parts.size(), 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p)
+      std::ranges::copy(parts[p], all.begin() + static_cast<std::ptrdiff_t>(begins[p]));
+  });
+  return all;
+}
+
+// `within(px, pixel)`: the position and the number of its pixel.
 template <class Within>
 std::vector<Index> findWithin(const SeenPoints& points, const Within& within, const Progress* progress) {
   checkDepth(points);
+  if (points.view.width <= 0 || points.view.height <= 0) return {};
   const Looker looker(points);
   std::vector<std::vector<Index>> parts((points.positions.size() + kBlock - 1) / kBlock);
   parallelFor(
       points.positions.size(), kBlock,
       [&](std::size_t begin, std::size_t end) {
-        std::vector<Index>& part = parts[begin / kBlock];
+        std::array<Index, kBlock> rows;
+        std::size_t count = 0;
         for (auto row = static_cast<Index>(begin); row < end; ++row) {
-          if (looker.look(row, within)) part.push_back(row);
+          rows[count] = row;
+          count += looker.look(row, within).isSeen ? 1 : 0;
         }
+        parts[begin / kBlock].assign(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(count));
       },
       progress);
-  std::size_t total = 0;
-  for (const auto& part : parts) total += part.size();
-  std::vector<Index> rows;
-  rows.reserve(total);
-  for (const auto& part : parts) rows.insert(rows.end(), part.begin(), part.end());
-  return rows;
+  return concatenate(parts);
 }
 
 // The pixels whose centers lie inside a polygon.
@@ -95,11 +116,8 @@ class PolygonMask {
     }
   }
 
-  bool contains(const glm::vec2& px) const {
-    if (inside_.empty()) return false;
-    return inside_[static_cast<std::size_t>(px.y) * static_cast<std::size_t>(width_) +
-                   static_cast<std::size_t>(px.x)] != 0;
-  }
+  bool isEmpty() const { return inside_.empty(); }
+  bool contains(Index pixel) const { return inside_[pixel] != 0; }
 
  private:
   static void findCrossings(std::span<const glm::vec2> polygon, float y, std::vector<float>& crossings) {
@@ -130,7 +148,9 @@ std::vector<Index> findInRectangle(const SeenPoints& points, const PixelRectangl
   const glm::vec2 high = glm::max(rectangle.corner, rectangle.opposite);
   return findWithin(
       points,
-      [&](const glm::vec2& px) { return px.x >= low.x && px.y >= low.y && px.x <= high.x && px.y <= high.y; },
+      [&](const glm::vec2& px, Index) {
+        return (px.x >= low.x) & (px.y >= low.y) & (px.x <= high.x) & (px.y <= high.y);
+      },
       progress);
 }
 
@@ -140,12 +160,14 @@ std::vector<Index> findInLasso(const SeenPoints& points, std::span<const glm::ve
     if (!std::isfinite(corner.x) || !std::isfinite(corner.y)) return {};
   }
   const PolygonMask mask(polygon, points.view.width, points.view.height);
+  if (mask.isEmpty()) return {};
   return findWithin(
-      points, [&](const glm::vec2& px) { return mask.contains(px); }, progress);
+      points, [&](const glm::vec2&, Index pixel) { return mask.contains(pixel); }, progress);
 }
 
 std::optional<Index> findClicked(const SeenPoints& points, const glm::vec2& px, float radiusPx) {
   checkDepth(points);
+  if (points.view.width <= 0 || points.view.height <= 0) return std::nullopt;
   using Rank = std::tuple<float, float, Index>;  // squared distance in the picture, depth, row
   constexpr float kFar = std::numeric_limits<float>::infinity();
   const Looker looker(points);
@@ -154,9 +176,9 @@ std::optional<Index> findClicked(const SeenPoints& points, const glm::vec2& px, 
   parallelFor(points.positions.size(), kBlock, [&](std::size_t begin, std::size_t end) {
     Rank& least = best[begin / kBlock];
     for (auto row = static_cast<Index>(begin); row < end; ++row) {
-      const auto seen =
-          looker.look(row, [&](const glm::vec2& at) { return squaredDistance(at) <= radiusPx * radiusPx; });
-      if (seen) least = std::min(least, Rank{squaredDistance(seen->px), seen->depth, row});
+      const Seen seen = looker.look(
+          row, [&](const glm::vec2& at, Index) { return squaredDistance(at) <= radiusPx * radiusPx; });
+      if (seen.isSeen) least = std::min(least, Rank{squaredDistance(seen.px), seen.depth, row});
     }
   });
   const auto least = std::ranges::min_element(best);
