@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <mutex>
 #include <nanoflann.hpp>
 #include <numeric>
+#include <queue>
+#include <unordered_map>
 
 namespace stipple {
 
@@ -175,6 +178,39 @@ std::vector<Reached> SurfaceDistance::findWithin(Index start, float radius) cons
   }
   fronts_->giveBack(std::move(front));
   return reached;
+}
+
+std::vector<Index> SurfaceDistance::findPath(Index start, Index end) const {
+  // A* (Hart et al. 1968): what is left is at least the straight way.
+  struct Way {
+    float distance;
+    Index from;
+  };
+  using Entry = std::pair<float, Index>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
+  std::unordered_map<Index, Way> best{{start, {0, start}}};
+  const auto left = [&](Index site) { return (sites_.positions[site] - sites_.positions[end]).norm(); };
+  front.emplace(left(start), start);
+  while (!front.empty() && front.top().second != end) {
+    const auto [estimate, site] = front.top();
+    front.pop();
+    const float distance = best.at(site).distance;
+    if (estimate > distance + left(site)) continue;
+    const auto neighbors = neighborhoods_.of(site);
+    const auto squared = neighborhoods_.squaredDistancesOf(site);
+    for (std::size_t n = 0; n < neighbors.size(); ++n) {
+      const float through = distance + std::sqrt(squared[n]);
+      const auto [known, isNew] = best.try_emplace(neighbors[n], Way{through, site});
+      if (!isNew && known->second.distance <= through) continue;
+      known->second = {through, site};
+      front.emplace(through + left(neighbors[n]), neighbors[n]);
+    }
+  }
+  if (front.empty()) return {};
+  std::vector<Index> path{end};
+  while (path.back() != start) path.push_back(best.at(path.back()).from);
+  std::ranges::reverse(path);
+  return path;
 }
 
 }  // namespace stipple

@@ -35,6 +35,8 @@ class SurfaceDistance {
   Index findNearest(const Eigen::Vector3f& place) const;
   /// The sites within `radius` of `start` along the surface, itself first, by rising distance.
   std::vector<Reached> findWithin(Index start, float radius) const;
+  /// The sites of a shortest path, both ends included; empty where none leads there.
+  std::vector<Index> findPath(Index start, Index end) const;
 
  private:
   struct Tree;

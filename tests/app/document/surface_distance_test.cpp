@@ -54,6 +54,33 @@ TEST(SurfaceDistance, FollowsTheSurfaceAndNotTheSpace) {
   }
 }
 
+TEST(SurfaceDistance, FindsAShortestPath) {
+  const PointSet points = halfCylinder(100, 30);
+  const SurfaceDistance surface(points);
+  const Index start = surface.findNearest({1, 0.5f, 0}), end = surface.findNearest({-1, 0.2f, 0});
+  const std::vector<Index> path = surface.findPath(start, end);
+  ASSERT_GT(path.size(), 10u);
+  EXPECT_EQ(path.front(), start);
+  EXPECT_EQ(path.back(), end);
+  float length = 0;
+  for (std::size_t p = 1; p < path.size(); ++p)
+    length += (surface.sites().positions[path[p]] - surface.sites().positions[path[p - 1]]).norm();
+  // As long as what the search from the start alone says.
+  const auto reached = surface.findWithin(start, 4);
+  const auto found = std::ranges::find(reached, end, &Reached::site);
+  ASSERT_NE(found, reached.end());
+  EXPECT_NEAR(length, found->distance, 1e-4f);
+  EXPECT_EQ(surface.findPath(start, start), std::vector<Index>{start});
+}
+
+TEST(SurfaceDistance, FindsNoPathWhereNoneLeads) {
+  std::vector<Eigen::Vector3f> two;
+  for (int i = 0; i < 40; ++i)
+    two.emplace_back(0.01f * static_cast<float>(i) + (i < 20 ? 0.f : 50.f), 0.f, 0.f);
+  const SurfaceDistance surface{PointSet(two)};
+  EXPECT_TRUE(surface.findPath(surface.findNearest({0, 0, 0}), surface.findNearest({51, 0, 0})).empty());
+}
+
 TEST(SurfaceDistance, FindsTheNearestSite) {
   const SurfaceDistance surface(PointSet({{0, 0, 0}, {1, 0, 0}, {5, 0, 0}}));
   EXPECT_EQ(surface.sites().positions[surface.findNearest({4, 1, 0})].x(), 5);
