@@ -95,10 +95,12 @@ void CpuViewport::paintEvent(QPaintEvent*) {
   compose();
   if (overlay && overlayContext) {
     const ImDrawData& drawing = overlay();
-    const PixelTarget target{.pixels = reinterpret_cast<std::uint32_t*>(composed_.bits()),
+    const std::size_t stride = static_cast<std::size_t>(composed_.bytesPerLine()) / sizeof(QRgb);
+    auto* pixels = reinterpret_cast<std::uint32_t*>(composed_.bits());
+    const PixelTarget target{.pixels = {pixels, stride * static_cast<std::size_t>(composed_.height())},
                              .width = composed_.width(),
                              .height = composed_.height(),
-                             .stride = composed_.bytesPerLine() / static_cast<int>(sizeof(QRgb)),
+                             .stride = stride,
                              .order = ChannelOrder::kBgra};
     rasterize(drawing, overlayContext->atlas(), target);
   }

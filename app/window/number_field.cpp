@@ -1,6 +1,7 @@
 #include "app/window/number_field.h"
 
 #include <QKeyEvent>
+#include <QLocale>
 #include <QLineEdit>
 #include <QMouseEvent>
 #include <QPainter>

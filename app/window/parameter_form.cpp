@@ -12,6 +12,7 @@
 
 #include "app/window/icons.h"
 #include "app/window/number_field.h"
+#include "core/error.h"
 
 namespace stipple {
 
