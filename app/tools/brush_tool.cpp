@@ -91,7 +91,7 @@ BrushResponse BrushTool::begin(const PointerEvent& event, const BrushCanvas& can
   const DabPathOptions options{.radius = static_cast<float>(radius),
                                .spacing = static_cast<float>(settings_.spacing),
                                .pressureScalesRadius = settings_.pressure == PressureMapping::kSize};
-  running_ = Running{DabPath(options, event.px, *picked, event.pressure), settings_};
+  running_ = Running{DabPath(options, event.px, *picked, event.pressure), settings_, event.pressure};
   ring_ = SurfaceRing{picked->position, options.radius};
 
   BrushResponse response{.taken = true, .redraw = true, .phase = StrokePhase::kBegins};
@@ -102,9 +102,10 @@ BrushResponse BrushTool::begin(const PointerEvent& event, const BrushCanvas& can
 BrushResponse BrushTool::goOn(const PointerEvent& event, const BrushCanvas& canvas) {
   BrushResponse response{.taken = true, .redraw = true, .phase = StrokePhase::kGoesOn};
   // A pen that is lifted reports no pressure with its release.
-  if (event.action == PointerAction::kMove) {
-    addDabs(running_->path.extendTo(event.px, event.pressure, canvas.view, canvas.pickAt), canvas, response);
-  }
+  if (event.action == PointerAction::kMove) running_->pressure = event.pressure;
+  const std::vector<PathDab> path =
+      running_->path.extendTo(event.px, running_->pressure, canvas.view, canvas.pickAt);
+  addDabs(path, canvas, response);
   const std::optional<Picked> picked = canvas.pickAt(event.px);
   ring_ = SurfaceRing{picked ? picked->position : running_->path.lastPlace(),
                     static_cast<float>(stroke_.stroke.radius)};

@@ -78,6 +78,7 @@ class BrushTool {
   struct Running {
     DabPath path;
     BrushSettings settings;
+    float pressure;  // last reported
   };
   struct Adjusting {
     BrushAdjustment what;

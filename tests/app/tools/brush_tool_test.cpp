@@ -95,6 +95,15 @@ TEST_F(BrushToolTest, AStrokeOutlivesTheRimAndOtherButtons) {
   EXPECT_FALSE(move(kOn).dabs.empty());
 }
 
+TEST_F(BrushToolTest, TheReleaseEndsTheWayWithTheLastPressure) {
+  settings_.pressure = PressureMapping::kStrength;
+  tool_.set(settings_);
+  press(kOn, {}, 0.5f);
+  const BrushResponse ended = release({500, 300});
+  ASSERT_GT(ended.dabs.size(), 5u);
+  for (const Dab& dab : ended.dabs) EXPECT_FLOAT_EQ(static_cast<float>(dab.pressure), 0.5f);
+}
+
 TEST_F(BrushToolTest, ADoubleClickIsAStrokeToo) {
   const PointerEvent twice{.action = PointerAction::kDoubleClick, .px = kOn, .button = PointerButton::kLeft};
   EXPECT_EQ(send(twice).phase, StrokePhase::kBegins);
