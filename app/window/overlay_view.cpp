@@ -14,7 +14,7 @@ namespace stipple {
 
 namespace {
 
-constexpr ImU32 kLine = IM_COL32(255, 255, 255, 235), kShade = IM_COL32(0, 0, 0, 130);
+constexpr ImU32 kShade = IM_COL32(0, 0, 0, 130);
 constexpr std::size_t kKeptFrames = 90;
 constexpr std::size_t kShownLabels = 12;
 
@@ -24,7 +24,8 @@ void drawLine(ImDrawList& list, const ScreenLine& line, float scale) {
   const int flags = line.isClosed ? ImDrawFlags_Closed : ImDrawFlags_None;
   const auto count = static_cast<int>(points.size());
   list.AddPolyline(points.data(), count, kShade, flags, 3.2f * scale);
-  list.AddPolyline(points.data(), count, kLine, flags, 1.4f * scale);
+  const ImU32 color = IM_COL32(line.color.r, line.color.g, line.color.b, 240);
+  list.AddPolyline(points.data(), count, color, flags, 1.4f * scale);
 }
 
 void drawText(ImDrawList& list, const ScreenText& text, float scale) {

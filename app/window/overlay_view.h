@@ -22,6 +22,7 @@ class PointColors;
 struct ScreenLine {
   std::vector<glm::vec2> points;
   bool isClosed = false;
+  Rgba8 color{255, 255, 255, 255};
 };
 struct ScreenText {
   glm::vec2 at{};

@@ -79,9 +79,8 @@ void ViewController::postView() {
 
 // Another scan, or the first one.
 void ViewController::showCurrent() {
-  measured_.clear();
+  forgetPlaces();
   outline_.clear();
-  viewport_->setLines({});
   OpenScan* scan = workbench_.current();
   if (!scan) {
     DisplayFollower nothing;
@@ -133,10 +132,9 @@ void ViewController::relook() {
 
 void ViewController::setTool(Tool tool) {
   if (painting_.isActive()) return;
+  if (tool != tool_) forgetPlaces();
   tool_ = tool;
   outline_.clear();
-  if (tool != Tool::kMeasure) measured_.clear();
-  if (tool != Tool::kInspect) viewport_->setLines({});
   BrushSettings settings = paintSettings_;
   if (tool == Tool::kSelect) {
     settings.attribute = kSelection;
@@ -426,8 +424,8 @@ bool ViewController::escape() {
     followStroke(brush_.cancel());
   } else if (brush_.adjusting() != BrushAdjustment::kNone) {
     brush_.cancel();
-  } else if (!measured_.empty()) {
-    measured_.clear();
+  } else if (!measured_.empty() || inspected_) {
+    forgetPlaces();
   } else if (workbench_.isRunning() && scan) {
     workbench_.cancel();
   } else {

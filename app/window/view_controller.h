@@ -9,6 +9,7 @@
 
 #include "app/panels/overlay_context.h"
 #include "app/tools/brush_tool.h"
+#include "app/tools/inspection_drawing.h"
 #include "app/tools/navigation.h"
 #include "app/tools/painting.h"
 #include "app/window/overlay_view.h"
@@ -78,6 +79,7 @@ class ViewController final : public QObject {
   void selectOutline();
   void inspectAt(const Picked& picked);
   void measureTo(const Picked& picked);
+  void forgetPlaces();
   void navigate(const PointerEvent& event);
   void showCurrent();
   void followPoints();
@@ -106,7 +108,12 @@ class ViewController final : public QObject {
   Painting painting_;
   std::vector<glm::vec2> outline_;  // of the rectangle (two corners) or lasso that is being drawn
   Modifiers outlineModifiers_;
-  std::vector<Picked> measured_;
+  std::vector<Picked> measured_;                 // one or two places
+  std::vector<glm::vec3> measuredPath_;          // along the surface
+  std::string measuredText_;
+  std::optional<Picked> inspected_;
+  std::vector<ColoredSegment> inspectedLines_;
+  std::string inspectedText_;
   BrushSettings paintSettings_;  // while the selection brush is at hand
   std::optional<glm::vec2> mouse_;
   bool overlayHasMouse_ = false;

@@ -1,5 +1,6 @@
 // The part of the view controller that fills and follows the overlay.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <QMessageBox>
 #include <QTimer>
@@ -7,8 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/tools/inspect.h"
+#include "app/tools/inspection_drawing.h"
 #include "app/tools/measure.h"
+#include "app/tools/view_selection.h"
 #include "app/window/view_controller.h"
 #include "app/window/workbench.h"
 
@@ -70,11 +72,18 @@ std::vector<ScreenLine> ViewController::overlayLines() const {
       lines.push_back(ringLine(notes->view, ring.center, normal, 0.541f * ring.radius));
   }
   if (!outline_.empty()) lines.push_back(lineOfOutline(outline_, tool_ == Tool::kRectangle));
-  ScreenLine measured;
-  for (const Picked& picked : measured_) {
-    if (const auto px = onScreen(notes->view, picked.position)) measured.points.push_back(*px);
+  const auto add = [&](const std::vector<glm::vec3>& places, const Rgba8& color) {
+    ScreenLine line{.points = {}, .color = color};
+    for (const glm::vec3& place : places) {
+      if (const auto px = onScreen(notes->view, place)) line.points.push_back(*px);
+    }
+    lines.push_back(std::move(line));
+  };
+  if (measured_.size() == 2) {
+    add({measured_[0].position, measured_[1].position}, {255, 255, 255, 255});
+    add(measuredPath_, {255, 152, 26, 255});
   }
-  if (measured.points.size() > 1) lines.push_back(measured);
+  for (const ColoredSegment& segment : inspectedLines_) add({segment.from, segment.to}, segment.color);
   std::erase_if(lines, [](const ScreenLine& line) { return line.points.size() < 2; });
   return lines;
 }
@@ -89,6 +98,51 @@ std::vector<ScreenText> ViewController::overlayTexts() const {
   if (!measured_.empty()) add(measured_.back().position, measuredText_);
   if (inspected_) add(inspected_->position, inspectedText_);
   return texts;
+}
+
+void ViewController::measureTo(const Picked& picked) {
+  OpenScan& scan = *workbench_.current();
+  if (measured_.size() == 2) measured_.clear();
+  measured_.push_back(picked);
+  measuredPath_.clear();
+  measuredText_.clear();
+  if (measured_.size() < 2) return;
+  const float straight = glm::length(measured_[1].position - measured_[0].position);
+  measuredText_ = fmt::format("{:.5g}", straight);
+  if (!scan.hasDistance()) return askForDistance();
+  const Measurement found = measure(*scan.distance, measured_[0].position, measured_[1].position);
+  measuredPath_ = found.path;
+  if (found.alongSurface) measuredText_ += fmt::format(", along the surface {:.5g}", *found.alongSurface);
+}
+
+void ViewController::inspectAt(const Picked& picked) {
+  const OpenScan& scan = *workbench_.current();
+  const auto notes = viewport_->notes();
+  const PointSet& points = scan.document.points();
+  const std::vector<float> depth = viewport_->depthPicture();
+  const SeenPoints seen{.positions = points.positions(),
+                        .view = notes->view,
+                        .depth = depth,
+                        .tolerance = visibilityTolerance(scan.extent.spacing)};
+  constexpr float kReach = 24;
+  const auto row = findClicked(seen, notes->view.toPixels(notes->view.toView(picked.position)), kReach);
+  if (!row) return;
+  try {
+    const PointInspection inspection = inspectPoint(points, *row);
+    inspected_ = picked;
+    inspected_->position = {inspection.position.x(), inspection.position.y(), inspection.position.z()};
+    inspectedLines_ = segmentsOf(inspection, points);
+    inspectedText_ = fmt::format("{}", fmt::join(linesOf(inspection), "\n"));
+  } catch (const Error& error) {
+    workbench_.say(QString::fromStdString(error.what()));
+  }
+}
+
+void ViewController::forgetPlaces() {
+  measured_.clear();
+  measuredPath_.clear();
+  inspected_.reset();
+  inspectedLines_.clear();
 }
 
 void ViewController::fillOverlay() {
