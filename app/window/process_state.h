@@ -13,7 +13,7 @@ struct ProcessState {
   double fraction = 0;
   std::optional<double> secondsLeft = {};
   int steps = 0;
-  std::vector<float> curve = {};
+  std::vector<double> curve = {};
 };
 
 }  // namespace stipple

@@ -110,11 +110,11 @@ void ViewController::followPoints() {
   }
 }
 
-void ViewController::followPreview(const PointSet* state) {
+void ViewController::followPreview(const PointSet& state) {
   OpenScan* scan = workbench_.processScan();
   if (!scan || scan != workbench_.current()) return;
   try {
-    if (auto shown = scan->follower.preview(*state)) viewport_->post(std::move(*shown), scan->shownRevision);
+    if (auto shown = scan->follower.preview(state)) viewport_->post(std::move(*shown), scan->shownRevision);
   } catch (const Error&) {
     // A state that cannot be shown is passed over.
   }

@@ -83,7 +83,7 @@ class ViewController final : public QObject {
   void navigate(const PointerEvent& event);
   void showCurrent();
   void followPoints();
-  void followPreview(const PointSet* state);
+  void followPreview(const PointSet& state);
   void postView();
   const ImDrawData& drawOverlay();
   void applyOverlay(const OverlayActions& actions);

@@ -6,9 +6,12 @@
 #include <QDir>
 #include <QFileInfo>
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
 #include "app/tools/selection.h"
-#include "app/window/job_notes.h"
+#include "app/window/sentence.h"
+#include "app/window/work_in_progress.h"
 #include "core/points/region.h"
 
 namespace stipple {
@@ -17,12 +20,6 @@ namespace {
 
 constexpr int kTick = 12;  // milliseconds between looks at what goes on
 
-QString sentenceOf(const std::exception& error) {
-  QString text = QString::fromStdString(error.what());
-  if (!text.endsWith('.')) text += '.';
-  return text;
-}
-
 std::filesystem::path sampleFile() {
   const QDir programs(QCoreApplication::applicationDirPath());
   return programs.absoluteFilePath("../share/stipple/sample/spot.ply").toStdString();
@@ -30,39 +27,26 @@ std::filesystem::path sampleFile() {
 
 }  // namespace
 
-struct Workbench::Opening {
-  std::filesystem::path path;
-  bool isSample;
-  Task<ReadResult> task;
-};
-
-struct Workbench::Saving {
-  OpenScan* scan;
-  std::filesystem::path path;
-  std::uint64_t revision;
-  Task<std::vector<std::string>> task;
-};
-
-struct Workbench::Preparing {
-  OpenScan* scan;
-  ColumnId positions;
-  Task<std::shared_ptr<const SurfaceDistance>> task;
-};
-
 Workbench::Workbench(LoadedPlugins plugins, Options options)
-    : plugins_(std::move(plugins)), options_(std::move(options)) {
+    : registry_(std::make_shared<const Registry>(std::move(plugins.registry))),
+      pluginWarnings_(std::move(plugins.warnings)),
+      options_(std::move(options)) {
   timer_.setInterval(kTick);
   connect(&timer_, &QTimer::timeout, this, &Workbench::tick);
 }
 
-Workbench::~Workbench() = default;
+// Plugins may still be at work for a moment.
+Workbench::~Workbench() {
+  openings_.clear();
+  saving_.reset();
+  preparing_.reset();
+  playing_.reset();
+  job_.reset();
+  threads_.waitForAll(std::chrono::seconds(3));
+}
 
 OpenScan* Workbench::current() const {
   return current_ >= 0 ? scans_[static_cast<std::size_t>(current_)].get() : nullptr;
-}
-
-OpenScan* Workbench::processScan() const {
-  return jobNotes_ ? jobNotes_->scan : nullptr;
 }
 
 void Workbench::setCurrent(int index) {
@@ -72,7 +56,7 @@ void Workbench::setCurrent(int index) {
 }
 
 void Workbench::keepTicking() {
-  const bool isBusy = !openings_.empty() || saving_ || preparing_ || job_;
+  const bool isBusy = !openings_.empty() || saving_ || preparing_ || playing_ || job_;
   if (isBusy && !timer_.isActive()) timer_.start();
   if (!isBusy) timer_.stop();
 }
@@ -92,7 +76,7 @@ void Workbench::addScan(ReadResult read, const std::filesystem::path& path, bool
   auto scan = std::make_unique<OpenScan>(std::move(read.points), path, options_.history);
   scan->title = QString::fromStdString(path.filename().string());
   scan->isSample = isSample;
-  scan->camera = OrbitCamera(UpAxis::kY);
+  scan->camera = OrbitCamera(UpAxis::kZ);
   scan->camera.frame(scan->extent.sphere);
   scans_.push_back(std::move(scan));
   current_ = static_cast<int>(scans_.size()) - 1;
@@ -123,7 +107,8 @@ void Workbench::followOpening() {
 
 void Workbench::close(int index) {
   OpenScan* scan = scans_[static_cast<std::size_t>(index)].get();
-  if (jobNotes_ && jobNotes_->scan == scan) cancel();
+  if (job_ && job_->scan == scan) cancel();
+  if (playing_ && playing_->scan == scan) playing_.reset();
   if (saving_ && saving_->scan == scan) finishSaving();
   if (preparing_ && preparing_->scan == scan) preparing_.reset();
   const std::unique_ptr<OpenScan> held = std::move(scans_[static_cast<std::size_t>(index)]);
@@ -186,7 +171,7 @@ void Workbench::followSaving() {
 bool Workbench::finishSaving() {
   if (!saving_) return true;
   OpenScan* scan = saving_->scan;
-  saving_->task.wait();
+  while (!saving_->task.isDone()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   followSaving();
   return !scan->document.isModified();
 }
@@ -219,7 +204,7 @@ void Workbench::flipNormals() {
 void Workbench::deleteSelection() {
   OpenScan* scan = current();
   if (!scan || !scan->document.points().has(kSelection)) return;
-  if (jobNotes_ && jobNotes_->scan == scan) return say(tr("Points cannot be removed while a process runs on them."));
+  if (processScan() == scan) return say(tr("Points cannot be removed while a process runs on them."));
   const PointSet& before = scan->document.points();
   const std::vector<Index> rows = regionWhereNotZero(before, kSelection).rows(before.size());
   if (rows.size() == before.size()) return say(tr("All points are selected; deleting them would leave nothing."));
@@ -247,9 +232,9 @@ void Workbench::takeMessages() {
 
 // Undo must not reach behind the start of a process that will commit to what it started from.
 bool Workbench::refuseAcrossProcess(std::size_t position) {
-  if (!jobNotes_ || jobNotes_->scan != current() || position >= jobNotes_->position) return false;
+  if (!job_ || job_->scan != current() || position >= job_->position) return false;
   say(tr("%1 is running: what was done before it started cannot be undone now. Cancel it first.")
-          .arg(QString::fromStdString(jobNotes_->title)));
+          .arg(QString::fromStdString(job_->title)));
   return true;
 }
 
@@ -311,6 +296,7 @@ std::optional<TaskStatus> Workbench::task() const {
   if (!openings_.empty())
     return named(openings_.front()->task.status(), "reading " + openings_.front()->path.filename().string());
   if (saving_) return named(saving_->task.status(), "saving " + saving_->path.filename().string());
+  if (playing_) return playing_->task.status();
   if (preparing_) return named(preparing_->task.status(), "preparing the brush");
   return {};
 }
@@ -320,6 +306,8 @@ void Workbench::cancelTask() {
     openings_.front()->task.cancel();
   else if (saving_)
     saving_->task.cancel();
+  else if (playing_)
+    playing_->task.cancel();
   else if (preparing_)
     preparing_->task.cancel();
 }
@@ -328,6 +316,7 @@ void Workbench::tick() {
   followOpening();
   followSaving();
   followPreparing();
+  followPlaying();
   followJob();
   keepTicking();
 }

@@ -10,8 +10,8 @@
 
 #include "app/document/invocation.h"
 #include "app/document/stroke.h"
-#include "app/jobs/operator_job.h"
-#include "app/jobs/task.h"
+#include "app/jobs/task_progress.h"
+#include "app/jobs/worker_threads.h"
 #include "app/plugins/loader.h"
 #include "app/window/open_scan.h"
 #include "app/window/process_state.h"
@@ -33,8 +33,8 @@ class Workbench final : public QObject {
   Workbench(LoadedPlugins plugins, Options options);
   ~Workbench() override;
 
-  const Registry& registry() const { return plugins_.registry; }
-  const std::vector<std::string>& pluginWarnings() const { return plugins_.warnings; }
+  const Registry& registry() const { return *registry_; }
+  const std::vector<std::string>& pluginWarnings() const { return pluginWarnings_; }
 
   // Scans
   OpenScan* current() const;
@@ -96,7 +96,7 @@ class Workbench final : public QObject {
   /// A stroke goes on: values of some points changed.
   void pointsTouched();
   /// A running process has another state to show.
-  void previewChanged(const PointSet* state);
+  void previewChanged(const PointSet& state);
   /// The document shows again.
   void previewEnded();
   void processChanged();
@@ -111,30 +111,35 @@ class Workbench final : public QObject {
   struct Opening;
   struct Saving;
   struct Preparing;
+  struct Playing;
+  struct RunningJob;
 
   void tick();
   void followOpening();
   void followSaving();
   void followPreparing();
+  void followPlaying();
   void followJob();
   void finishJob();
   void commitJob();
-  void showResult(OpenScan& scan, const Invocation& invocation);
+  void showResult(OpenScan& scan, const std::string& operatorId);
+  std::string makeTitle(const std::string& operatorId) const;
   void takeMessages();
   void keepTicking();
   bool refuseAcrossProcess(std::size_t position);
   void addScan(ReadResult read, const std::filesystem::path& path, bool isSample);
 
-  LoadedPlugins plugins_;
+  std::shared_ptr<const Registry> registry_;
+  std::vector<std::string> pluginWarnings_;
   Options options_;
+  WorkerThreads threads_;
   std::vector<std::unique_ptr<OpenScan>> scans_;
   int current_ = -1;
   std::vector<std::unique_ptr<Opening>> openings_;
   std::unique_ptr<Saving> saving_;
   std::unique_ptr<Preparing> preparing_;
-  std::unique_ptr<OperatorJob> job_;
-  struct JobNotes;
-  std::unique_ptr<JobNotes> jobNotes_;
+  std::unique_ptr<Playing> playing_;
+  std::unique_ptr<RunningJob> job_;
   QTimer timer_;
 };
 

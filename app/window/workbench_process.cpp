@@ -1,64 +1,90 @@
-// The part of the workbench that runs operators.
+// The part of the workbench that runs operators and plays recipes.
 #include <algorithm>
 
-#include "app/jobs/merge.h"
-#include "app/window/job_notes.h"
+#include "app/document/merge.h"
+#include "app/window/sentence.h"
+#include "app/window/work_in_progress.h"
 #include "app/window/workbench.h"
 
 namespace stipple {
 
 namespace {
 
-QString sentenceOf(const std::exception& error) {
-  QString text = QString::fromStdString(error.what());
-  if (!text.endsWith('.')) text += '.';
-  return text;
+// All steps, each as an edit of what the one before left.
+std::vector<HistoryEntry> playSteps(const Registry& registry, const Recipe& recipe, PointSet points, Progress& progress) {
+  std::vector<HistoryEntry> entries;
+  const auto count = static_cast<double>(recipe.steps.size());
+  for (const Recipe::Step& step : recipe.steps) {
+    const auto at = static_cast<double>(entries.size());
+    PartialProgress part(progress, at / count, (at + 1) / count);
+    HistoryEntry entry{.title = {}, .edit = {}, .recipeStep = step};
+    PointSet after;
+    if (const auto* invocation = std::get_if<Invocation>(&step)) {
+      entry.title = registry.find(invocation->operatorId)->description().title;
+      const RunResult result = invoke(registry, *invocation, points, part).result;
+      entry.edit = difference(points, result.points, result.removedRows);
+      after = result.points;
+    } else {
+      const auto& stroke = std::get<Stroke>(step);
+      entry.title = "Paint " + stroke.attribute;
+      after = applyStroke(points, stroke, part);
+      entry.edit = difference(points, after);
+    }
+    points = std::move(after);
+    entries.push_back(std::move(entry));
+  }
+  return entries;
 }
 
 }  // namespace
 
 void Workbench::run(const Invocation& invocation, bool startsPaused) {
   OpenScan* scan = current();
-  if (!scan) return;
-  if (job_) return say(tr("%1 is still running.").arg(QString::fromStdString(jobNotes_->title)));
-  if (scan->document.isInStroke()) return;
+  if (!scan || scan->document.isInStroke()) return;
+  if (job_) return say(tr("%1 is still running.").arg(QString::fromStdString(job_->title)));
   try {
-    const PointSet& points = scan->document.points();
-    job_ = startJob(registry(), invocation, points, startsPaused);
-    jobNotes_ = std::make_unique<JobNotes>(
-        JobNotes{.scan = scan,
-                 .invocation = invocation,
-                 .title = registry().find(invocation.operatorId)->description().title,
-                 .snapshot = points,
-                 .position = scan->document.history().position()});
+    job_ = std::make_unique<RunningJob>(RunningJob{
+        .scan = scan,
+        .title = makeTitle(invocation.operatorId),
+        .position = scan->document.history().position(),
+        .job = OperatorJob(registry_, invocation, scan->document.points(),
+                           {.startPaused = startsPaused, .threads = threads_})});
   } catch (const std::exception& error) {
-    job_.reset();
     return say(sentenceOf(error));
   }
   keepTicking();
   emit processChanged();
 }
 
+std::string Workbench::makeTitle(const std::string& operatorId) const {
+  const Operator* op = registry().find(operatorId);
+  return op ? op->description().title : operatorId;
+}
+
+OpenScan* Workbench::processScan() const {
+  return job_ ? job_->scan : nullptr;
+}
+
 std::optional<ProcessState> Workbench::process() const {
   if (!job_) return {};
-  const OperatorJob::Status status = job_->status();
-  return ProcessState{.operatorId = jobNotes_->invocation.operatorId,
-                      .title = jobNotes_->title,
-                      .message = status.message,
-                      .isPaused = status.state == OperatorJob::State::kPaused,
-                      .fraction = status.fraction,
-                      .secondsLeft = status.secondsLeft,
+  const JobStatus status = job_->job.status();
+  return ProcessState{.operatorId = job_->job.invocation().operatorId,
+                      .title = job_->title,
+                      .message = status.progress.message,
+                      .isPaused = status.state == JobState::kPaused,
+                      .fraction = status.progress.fraction,
+                      .secondsLeft = status.progress.secondsLeft,
                       .steps = status.steps,
-                      .curve = jobNotes_->curve};
+                      .curve = job_->curve};
 }
 
 void Workbench::pause() {
-  if (job_) job_->pause();
+  if (job_) job_->job.pause();
   emit processChanged();
 }
 
 void Workbench::resume() {
-  if (job_) job_->resume();
+  if (job_) job_->job.resume();
   emit processChanged();
 }
 
@@ -70,59 +96,52 @@ void Workbench::togglePause() {
 }
 
 void Workbench::stepOnce() {
-  if (job_) job_->stepOnce();
+  if (job_) job_->job.stepOnce();
 }
 
 void Workbench::stop() {
-  if (job_) job_->stop();
+  if (job_) job_->job.stop();
 }
 
 void Workbench::setProcessParameters(const Parameters& parameters) {
-  if (!job_) return;
-  job_->set(parameters);
-  jobNotes_->invocation.parameters = parameters;
+  if (job_) job_->job.set(parameters);
 }
 
 void Workbench::cancel() {
   if (!job_) return;
-  job_->cancel();
+  job_->job.cancel();
   finishJob();
   say(tr("Cancelled; the surface is as it was."));
 }
 
 void Workbench::followJob() {
   if (!job_) return;
-  const OperatorJob::Status status = job_->status();
-  const std::vector<float> fresh = job_->takeCurve();
-  jobNotes_->curve.insert(jobNotes_->curve.end(), fresh.begin(), fresh.end());
-  switch (status.state) {
-    case OperatorJob::State::kFinished:
-      return commitJob();
-    case OperatorJob::State::kFailed:
-      say(QString::fromStdString(status.failure));
-      return finishJob();
-    case OperatorJob::State::kCancelled:
-      return finishJob();
-    default:
-      break;
-  }
-  if (const auto state = job_->takePreview()) emit previewChanged(&*state);
+  const JobStatus status = job_->job.status();
+  const std::vector<double> fresh = job_->job.takeCurve();
+  job_->curve.insert(job_->curve.end(), fresh.begin(), fresh.end());
+  if (status.state == JobState::kFinished) return commitJob();
+  if (status.state == JobState::kFailed) say(QString::fromStdString(status.failure));
+  if (status.state == JobState::kFailed || status.state == JobState::kCancelled) return finishJob();
+  if (const auto state = job_->job.takePreview(); state && job_->scan == current()) emit previewChanged(*state);
   emit processChanged();
 }
 
 // What the process made, against the points as they are by now.
 void Workbench::commitJob() {
-  OpenScan& scan = *jobNotes_->scan;
+  OpenScan& scan = *job_->scan;
+  // A stroke that is going on ends first.
+  if (scan.document.isInStroke()) return;
   try {
-    OperatorJob::Result done = job_->takeResult();
-    Merged merged = mergeResult(jobNotes_->snapshot, done.result, std::move(done.edit), scan.document.points());
-    const bool isAnything = !merged.edit.empty();
-    scan.document.commit(jobNotes_->title, std::move(merged.edit), Recipe::Step(jobNotes_->invocation));
-    if (!isAnything) say(tr("%1 changed nothing.").arg(QString::fromStdString(jobNotes_->title)));
-    if (merged.kept > 0)
-      say(tr("%n point(s) that were changed meanwhile keep what was done by hand.", "", static_cast<int>(merged.kept)));
-    if (!done.report.warnings.empty()) say(QString::fromStdString(done.report.warnings.front()));
-    showResult(scan, jobNotes_->invocation);
+    const auto done = job_->job.takeResult();
+    if (!done) return;
+    MergedRun merged = mergeRun(*done, scan.document.points());
+    if (merged.edit.empty()) say(tr("%1 changed nothing.").arg(QString::fromStdString(job_->title)));
+    scan.document.commit(job_->title, std::move(merged.edit), Recipe::Step(job_->job.invocation()));
+    if (merged.keptByUser > 0)
+      say(tr("%n point(s) that were changed meanwhile keep what was done by hand.", "",
+             static_cast<int>(merged.keptByUser)));
+    if (!done->report.warnings.empty()) say(QString::fromStdString(done->report.warnings.front()));
+    showResult(scan, job_->job.invocation().operatorId);
   } catch (const std::exception& error) {
     say(sentenceOf(error));
   }
@@ -130,24 +149,57 @@ void Workbench::commitJob() {
 }
 
 void Workbench::finishJob() {
-  const std::unique_ptr<JobNotes> notes = std::move(jobNotes_);
-  job_.reset();
+  const std::unique_ptr<RunningJob> ended = std::move(job_);
   keepTicking();
-  if (notes->scan == current()) emit previewEnded();
+  if (ended->scan == current()) emit previewEnded();
   tellPointsChanged();
   emit processChanged();
 }
 
 // The attribute that the operator is about is what the user wants to see.
-void Workbench::showResult(OpenScan& scan, const Invocation& invocation) {
-  const OperatorDescription& description = registry().find(invocation.operatorId)->description();
-  for (const std::string& name : description.writes) {
+void Workbench::showResult(OpenScan& scan, const std::string& operatorId) {
+  for (const std::string& name : registry().find(operatorId)->description().writes) {
     const Attribute* attribute = scan.document.points().find(name);
     if (!attribute || attribute->type() == AttributeType::kVector3) continue;
-    if (attribute->type() == AttributeType::kColor) scan.look.colors = {};
-    else if (scan.look.colors.attribute != name) scan.look.colors = ColorSource{.attribute = name};
+    const bool isColor = attribute->type() == AttributeType::kColor;
+    if (scan.look.colors.attribute != name) scan.look.colors = ColorSource{.attribute = isColor ? "" : name};
     return;
   }
+}
+
+void Workbench::play(const Recipe& recipe) {
+  OpenScan* scan = current();
+  if (!scan) return;
+  if (job_ || playing_) return say(tr("Something is still running."));
+  if (recipe.steps.empty()) return say(tr("The recipe has no steps."));
+  playing_ = std::make_unique<Playing>(
+      Playing{.scan = scan,
+              .revision = scan->document.revision(),
+              .task = Task<std::vector<HistoryEntry>>(
+                  [registry = registry_, recipe, points = scan->document.points()](Progress& progress) {
+                    return playSteps(*registry, recipe, points, progress);
+                  },
+                  {.threads = threads_, .priority = ThreadPriority::kLow})});
+  keepTicking();
+  emit taskChanged();
+}
+
+void Workbench::followPlaying() {
+  if (!playing_ || !playing_->task.isDone()) return;
+  const std::unique_ptr<Playing> done = std::move(playing_);
+  try {
+    std::vector<HistoryEntry> entries = done->task.takeResult();
+    if (done->scan->document.revision() != done->revision)
+      throw InvalidInput("The points were changed while the recipe was played, so nothing of it was done");
+    for (HistoryEntry& entry : entries)
+      done->scan->document.commit(entry.title, std::move(entry.edit), std::move(entry.recipeStep));
+    say(tr("The recipe is played: %n step(s).", "", static_cast<int>(entries.size())));
+  } catch (const Cancelled&) {
+  } catch (const std::exception& error) {
+    say(sentenceOf(error));
+  }
+  tellPointsChanged();
+  emit taskChanged();
 }
 
 }  // namespace stipple

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "app/jobs/operator_job.h"
+#include "app/jobs/task.h"
+#include "app/window/workbench.h"
+
+namespace stipple {
+
+// What goes on at the workbench while the window lives on.
+
+struct Workbench::Opening {
+  std::filesystem::path path;
+  bool isSample;
+  Task<ReadResult> task;
+};
+
+struct Workbench::Saving {
+  OpenScan* scan;
+  std::filesystem::path path;
+  std::uint64_t revision;
+  Task<std::vector<std::string>> task;
+};
+
+struct Workbench::Preparing {
+  OpenScan* scan;
+  ColumnId positions;
+  Task<std::shared_ptr<const SurfaceDistance>> task;
+};
+
+struct Workbench::Playing {
+  OpenScan* scan;
+  std::uint64_t revision;
+  Task<std::vector<HistoryEntry>> task;
+};
+
+struct Workbench::RunningJob {
+  OpenScan* scan;
+  std::string title;
+  std::size_t position;  ///< in the history when it was started
+  OperatorJob job;
+  std::vector<double> curve = {};
+};
+
+}  // namespace stipple
