@@ -51,7 +51,7 @@ std::string shortNumber(double value, int digits) {
 std::string groupedCount(std::int64_t count) {
   std::string text = std::to_string(count);
   const std::ptrdiff_t first = count < 0 ? 1 : 0;
-  for (std::ptrdiff_t i = std::ssize(text) - 3; i > first; i -= 3) text.insert(i, ",");
+  for (std::ptrdiff_t i = std::ssize(text) - 3; i > first; i -= 3) text.insert(std::size_t(i), 1, ',');
   return text;
 }
 
