@@ -96,9 +96,12 @@ PixelRectangle drawCommand(RasterScene& scene, const Placement& placement, const
       }
     }
     const RasterVertex corners[3] = {vertex(0), vertex(1), vertex(2)};
-    bounds = unionOf(bounds, boundsOf(corners));
-    drawTriangle(scene, corners);
     indices = indices.subspan(3);
+    // Many triangles of soft edges hold no center of a pixel.
+    const PixelRectangle box = intersection(boundsOf(corners), scene.scissor);
+    if (box.isEmpty()) continue;
+    bounds = unionOf(bounds, box);
+    drawTriangle(scene, corners);
   }
   return intersection(bounds, scene.scissor);
 }

@@ -188,7 +188,7 @@ bool OverlayContext::wantsMouse() const {
 }
 
 bool OverlayContext::wantsKeyboard() const {
-  return state_->context->IO.WantTextInput;
+  return state_->context->IO.WantTextInput || state_->context->OpenPopupStack.Size > 0;
 }
 
 OverlayCursor OverlayContext::cursor() const {

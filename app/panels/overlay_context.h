@@ -46,7 +46,7 @@ class OverlayContext {
   /// Mouse events are the overlay's, not the camera's or the tool's: the mouse is over a panel, or was when a
   /// button went down that still is.
   bool wantsMouse() const;
-  /// A field of the overlay is being typed into.
+  /// A field of the overlay is being typed into, or a popup waits for Escape.
   bool wantsKeyboard() const;
   OverlayCursor cursor() const;
 

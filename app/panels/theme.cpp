@@ -51,33 +51,36 @@ struct Grays {
   float line;  // black or white
   float lineAlpha;
   float panelAlpha;
+  ImVec4 accentInk;  // for lines and letters
 };
-constexpr Grays kDark{.panel = 0.118f,
-                      .popup = 0.137f,
-                      .field = 0.20f,
-                      .fieldHovered = 0.235f,
-                      .fieldActive = 0.255f,
-                      .button = 0.235f,
-                      .buttonHovered = 0.29f,
-                      .buttonActive = 0.345f,
-                      .text = 0.90f,
-                      .dimText = 0.62f,
-                      .line = 1,
-                      .lineAlpha = 0.09f,
-                      .panelAlpha = 0.93f};
-constexpr Grays kLight{.panel = 0.965f,
-                       .popup = 0.98f,
-                       .field = 0.90f,
-                       .fieldHovered = 0.87f,
-                       .fieldActive = 0.85f,
-                       .button = 0.885f,
-                       .buttonHovered = 0.84f,
-                       .buttonActive = 0.79f,
-                       .text = 0.11f,
-                       .dimText = 0.40f,
-                       .line = 0,
-                       .lineAlpha = 0.13f,
-                       .panelAlpha = 0.95f};
+const Grays kDark{.panel = 0.118f,
+                  .popup = 0.137f,
+                  .field = 0.20f,
+                  .fieldHovered = 0.235f,
+                  .fieldActive = 0.255f,
+                  .button = 0.235f,
+                  .buttonHovered = 0.29f,
+                  .buttonActive = 0.345f,
+                  .text = 0.90f,
+                  .dimText = 0.62f,
+                  .line = 1,
+                  .lineAlpha = 0.09f,
+                  .panelAlpha = 0.93f,
+                  .accentInk = kAccent};
+const Grays kLight{.panel = 0.965f,
+                   .popup = 0.98f,
+                   .field = 0.90f,
+                   .fieldHovered = 0.87f,
+                   .fieldActive = 0.85f,
+                   .button = 0.885f,
+                   .buttonHovered = 0.84f,
+                   .buttonActive = 0.79f,
+                   .text = 0.11f,
+                   .dimText = 0.40f,
+                   .line = 0,
+                   .lineAlpha = 0.13f,
+                   .panelAlpha = 0.95f,
+                   .accentInk = {0.70f, 0.37f, 0.0f, 1}};
 
 void setColors(ImVec4* colors, const Grays& grays) {
   std::fill_n(colors, int(ImGuiCol_COUNT), gray(0, 0));
@@ -98,7 +101,8 @@ void setColors(ImVec4* colors, const Grays& grays) {
   colors[ImGuiCol_ScrollbarGrab] = gray(grays.line, 0.2f);
   colors[ImGuiCol_ScrollbarGrabHovered] = gray(grays.line, 0.3f);
   colors[ImGuiCol_ScrollbarGrabActive] = gray(grays.line, 0.4f);
-  colors[ImGuiCol_CheckMark] = colors[ImGuiCol_PlotLines] = colors[ImGuiCol_PlotHistogram] = kAccent;
+  colors[ImGuiCol_PlotHistogram] = kAccent;
+  colors[ImGuiCol_CheckMark] = colors[ImGuiCol_PlotLines] = grays.accentInk;
   colors[ImGuiCol_TextSelectedBg] = {kAccent.x, kAccent.y, kAccent.z, 0.35f};
 }
 
@@ -132,6 +136,8 @@ void buildFonts(ImFontAtlas& atlas, float scale) {
   addFont(atlas, interRegular(), 6 * scale);
   addFont(atlas, interSemiBold(), 7 * scale);
   atlas.Build();
+  // Lines of whole pixels keep everything that is stacked on pixels; glyphs are placed by their baseline.
+  for (ImFont* font : atlas.Fonts) font->FontSize = std::round(font->FontSize);
 }
 
 ImFont* bodyFont() {
@@ -148,6 +154,10 @@ ImFont* titleFont() {
 
 float overlayScale() {
   return ImGui::GetStyle().MouseCursorScale;
+}
+
+float scaled(float length) {
+  return std::round(length * overlayScale());
 }
 
 }  // namespace stipple

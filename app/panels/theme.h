@@ -27,5 +27,7 @@ ImFont* titleFont();
 
 /// Scale of the current context.
 float overlayScale();
+/// Whole device pixels for a length on a plain screen.
+float scaled(float length);
 
 }  // namespace stipple

@@ -16,7 +16,10 @@ constexpr double kFar = 1 << 24;
 
 int firstPixel(double x) {
   // In this order, so that a coordinate that is not a number lies far away.
-  return static_cast<int>(std::ceil(std::min(std::max(-kFar, x), kFar) - 0.5));
+  const double shifted = std::min(std::max(-kFar, x), kFar) - 0.5;
+  // Rounded up by hand: without SSE 4.1 std::ceil is a call, twice for each row of each triangle.
+  const int towardZero = static_cast<int>(shifted);
+  return towardZero + (shifted > towardZero ? 1 : 0);
 }
 
 // From the upper to the lower end; of two on one height, from the left to the right. Two triangles that share
@@ -89,43 +92,71 @@ SourceColor covered(SourceColor color, std::uint8_t coverage) {
   return color;
 }
 
-// A quantity linear in x and y, given at the corners of a triangle.
+// Quantities linear in x and y, given at the corners of a triangle.
 struct Plane {
-  Plane(const RasterVertex (&corners)[3], float a, float b, float c) : x0(corners[0].x), y0(corners[0].y) {
-    const float x1 = corners[1].x - x0, y1 = corners[1].y - y0;
-    const float x2 = corners[2].x - x0, y2 = corners[2].y - y0;
-    const float area = x1 * y2 - x2 * y1;
-    const float scale = area != 0 ? 1 / area : 0;
-    dx = ((b - a) * y2 - (c - a) * y1) * scale;
-    dy = ((c - a) * x1 - (b - a) * x2) * scale;
-    value0 = a;
-  }
-  float at(float x, float y) const { return value0 + dx * (x - x0) + dy * (y - y0); }
+  float atOrigin, dx, dy;
 
-  float x0, y0, value0, dx, dy;
+  float at(float x, float y) const { return atOrigin + dx * x + dy * y; }
 };
 
-Plane channelPlane(const RasterVertex (&corners)[3], int channel) {
-  const auto value = [&](int corner) { return float((corners[corner].color >> (8 * channel)) & 255); };
-  return {corners, value(0), value(1), value(2)};
+class Interpolation {
+ public:
+  explicit Interpolation(const RasterVertex (&corners)[3])
+      : x0_(corners[0].x),
+        y0_(corners[0].y),
+        x1_(corners[1].x - x0_),
+        y1_(corners[1].y - y0_),
+        x2_(corners[2].x - x0_),
+        y2_(corners[2].y - y0_) {
+    const float area = x1_ * y2_ - x2_ * y1_;
+    scale_ = area != 0 ? 1 / area : 0;
+  }
+
+  // x and y count from the first corner, where the numbers are small.
+  Plane planeOf(float a, float b, float c) const {
+    return {a, ((b - a) * y2_ - (c - a) * y1_) * scale_, ((c - a) * x1_ - (b - a) * x2_) * scale_};
+  }
+  Plane channelOf(const RasterVertex (&corners)[3], int channel) const {
+    const auto value = [&](int corner) { return float((corners[corner].color >> (8 * channel)) & 255); };
+    return planeOf(value(0), value(1), value(2));
+  }
+  float fromX(int column) const { return float(column) + 0.5f - x0_; }
+  float fromY(int row) const { return float(row) + 0.5f - y0_; }
+
+ private:
+  float x0_, y0_, x1_, y1_, x2_, y2_, scale_;
+};
+
+// Soft edges: one color, its alpha falling.
+void drawFading(const RasterScene& scene, const RasterVertex (&corners)[3]) {
+  const Interpolation interpolation(corners);
+  const Plane alpha = interpolation.channelOf(corners, 3);
+  SourceColor color = colorOf(corners[0].color);
+  forEachSpan(corners, scene.scissor, [&](int row, int left, int right) {
+    std::uint32_t* pixels = scene.target.row(row);
+    const float y = interpolation.fromY(row);
+    for (int column = left; column < right; ++column) {
+      color.alpha = toByte(alpha.at(interpolation.fromX(column), y));
+      blendPixel(pixels[column], color);
+    }
+  });
 }
 
 void drawShaded(const RasterScene& scene, const RasterVertex (&corners)[3], bool isTextured) {
-  const Plane planes[4] = {channelPlane(corners, 0), channelPlane(corners, 1), channelPlane(corners, 2),
-                           channelPlane(corners, 3)};
-  const Plane u(corners, corners[0].u, corners[1].u, corners[2].u);
-  const Plane v(corners, corners[0].v, corners[1].v, corners[2].v);
+  const Interpolation interpolation(corners);
+  const Plane red = interpolation.channelOf(corners, 0), green = interpolation.channelOf(corners, 1),
+              blue = interpolation.channelOf(corners, 2), opacity = interpolation.channelOf(corners, 3);
+  const Plane u = interpolation.planeOf(corners[0].u, corners[1].u, corners[2].u);
+  const Plane v = interpolation.planeOf(corners[0].v, corners[1].v, corners[2].v);
   forEachSpan(corners, scene.scissor, [&](int row, int left, int right) {
     std::uint32_t* pixels = scene.target.row(row);
-    const float y = float(row) + 0.5f;
+    const float y = interpolation.fromY(row);
     for (int column = left; column < right; ++column) {
-      const float x = float(column) + 0.5f;
-      float alpha = std::clamp(planes[3].at(x, y), 0.0f, 255.0f);
+      const float x = interpolation.fromX(column);
+      float alpha = std::clamp(opacity.at(x, y), 0.0f, 255.0f);
       if (isTextured) alpha *= sample(scene.atlas, u.at(x, y), v.at(x, y)) / 255;
-      const SourceColor color{
-          {toByte(planes[0].at(x, y)), toByte(planes[1].at(x, y)), toByte(planes[2].at(x, y))},
-          toByte(alpha)};
-      blendPixel(pixels[column], color);
+      blendPixel(pixels[column],
+                 {{toByte(red.at(x, y)), toByte(green.at(x, y)), toByte(blue.at(x, y))}, toByte(alpha)});
     }
   });
 }
@@ -180,20 +211,21 @@ int firstPixelFrom(float x) {
 }
 
 void drawTriangle(const RasterScene& scene, const RasterVertex (&corners)[3]) {
+  constexpr std::uint32_t kHue = 0x00ffffff;
   const auto& [a, b, c] = corners;
   if (((a.color | b.color | c.color) >> 24) == 0) return;
-  const bool isOneColor = a.color == b.color && b.color == c.color;
-  const bool isTextured = !haveOneTexel(a, b) || !haveOneTexel(b, c);
-  const std::uint8_t coverage = isTextured ? 255 : toByte(sample(scene.atlas, a.u, a.v));
-  if (isTextured || !isOneColor) {
-    // A texel other than full, the same all over, is rare and goes the general way.
-    drawShaded(scene, corners, isTextured || coverage != 255);
-    return;
+  if (!haveOneTexel(a, b) || !haveOneTexel(b, c)) return drawShaded(scene, corners, true);
+  const std::uint8_t coverage = toByte(sample(scene.atlas, a.u, a.v));
+  if (a.color == b.color && b.color == c.color) {
+    const SourceColor color = covered(colorOf(a.color), coverage);
+    forEachSpan(corners, scene.scissor, [&](int y, int left, int right) {
+      blendSpan(scene.target.row(y) + left, right - left, color);
+    });
+  } else if (coverage == 255 && ((a.color ^ b.color) & kHue) == 0 && ((b.color ^ c.color) & kHue) == 0) {
+    drawFading(scene, corners);
+  } else {
+    drawShaded(scene, corners, coverage != 255);
   }
-  const SourceColor color = covered(colorOf(a.color), coverage);
-  forEachSpan(corners, scene.scissor, [&](int y, int left, int right) {
-    blendSpan(scene.target.row(y) + left, right - left, color);
-  });
 }
 
 void drawRectangle(const RasterScene& scene, const RasterVertex& a, const RasterVertex& b) {

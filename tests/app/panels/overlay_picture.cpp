@@ -65,6 +65,23 @@ void OverlayStage::drag(glm::vec2 from, glm::vec2 to, const std::function<void()
   frame(drawPanels);
 }
 
+bool OverlayStage::clickAround(const std::function<void()>& drawPanels, const std::function<bool()>& isDone) {
+  const float step = 9 * context_.look().scale;
+  for (float y = step; y < float(size_.y); y += step) {
+    for (float x = step; x < float(size_.x); x += step) {
+      context_.moveMouse({x, y});
+      if (!context_.wantsMouse()) continue;
+      click({x, y}, drawPanels);
+      if (isDone()) return true;
+      if (context_.wantsKeyboard()) context_.setKey(OverlayKey::kEscape, true);
+      frame(drawPanels);
+      context_.setKey(OverlayKey::kEscape, false);
+      frame(drawPanels);
+    }
+  }
+  return false;
+}
+
 Image OverlayStage::picture() {
   Image image = makeGround(size_.x, size_.y);
   rasterize(*drawing_, context_.atlas(), targetOf(image));

@@ -23,6 +23,10 @@ class OverlayStage {
   /// Presses at one place, releases at another, in steps.
   void drag(glm::vec2 from, glm::vec2 to, const std::function<void()>& drawPanels);
 
+  /// Clicks all over the view, from the left upper corner on, until `isDone` says so after a click; returns
+  /// whether it did. Popups are closed in between.
+  bool clickAround(const std::function<void()>& drawPanels, const std::function<bool()>& isDone);
+
   /// What the last frame drew, over the ground.
   Image picture();
   /// Writes the picture to tests/overlay/<name>.png of the build tree, for people to look at.
