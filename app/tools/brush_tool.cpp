@@ -14,6 +14,7 @@ namespace {
 // Sizes that can be seen and held.
 constexpr double kLeastRadiusPx = 1, kMostRadiusPx = 2000;
 constexpr double kSizeStep = 1.1;
+constexpr double kLeastSpacing = 0.02;  // radii
 constexpr double kStrengthPerPx = 1.0 / 300, kLeastStrength = 0.01;
 
 double radiusAt(const BrushSettings& settings, float pixelsPerUnit) {
@@ -25,6 +26,11 @@ BrushKind kindOf(const BrushSettings& settings, const Modifiers& modifiers) {
   if (settings.kind == BrushKind::kSmooth || (modifiers.shift && !modifiers.ctrl)) return BrushKind::kSmooth;
   const bool erases = (settings.kind == BrushKind::kErase) != modifiers.ctrl;
   return erases ? BrushKind::kErase : BrushKind::kPaint;
+}
+
+// Whatever a driver reports.
+float pressureOf(const PointerEvent& event) {
+  return event.pressure >= 0 ? std::min(event.pressure, 1.f) : 1.f;
 }
 
 BrushStroke makeStroke(const BrushSettings& settings, BrushKind kind, double radius) {
@@ -87,22 +93,23 @@ BrushResponse BrushTool::begin(const PointerEvent& event, const BrushCanvas& can
   if (!picked) return {};
   const double radius = radiusAt(settings_, canvas.view.pixelsPerUnit(picked->depth));
   if (!(radius > 0) || !std::isfinite(radius)) return {};
+  const float pressure = pressureOf(event);
   stroke_ = makeStroke(settings_, kindOf(settings_, event.modifiers), radius);
   const DabPathOptions options{.radius = static_cast<float>(radius),
-                               .spacing = static_cast<float>(settings_.spacing),
+                               .spacing = static_cast<float>(std::max(kLeastSpacing, settings_.spacing)),
                                .pressureScalesRadius = settings_.pressure == PressureMapping::kSize};
-  running_ = Running{DabPath(options, event.px, *picked, event.pressure), settings_, event.pressure};
+  running_ = Running{DabPath(options, event.px, *picked, pressure), settings_, pressure};
   ring_ = SurfaceRing{picked->position, options.radius};
 
   BrushResponse response{.taken = true, .redraw = true, .phase = StrokePhase::kBegins};
-  addDabs(std::array{PathDab{picked->position, event.pressure}}, canvas, response);
+  addDabs(std::array{PathDab{picked->position, pressure}}, canvas, response);
   return response;
 }
 
 BrushResponse BrushTool::goOn(const PointerEvent& event, const BrushCanvas& canvas) {
   BrushResponse response{.taken = true, .redraw = true, .phase = StrokePhase::kGoesOn};
   // A pen that is lifted reports no pressure with its release.
-  if (event.action == PointerAction::kMove) running_->pressure = event.pressure;
+  if (event.action == PointerAction::kMove) running_->pressure = pressureOf(event);
   const std::vector<PathDab> path =
       running_->path.extendTo(event.px, running_->pressure, canvas.view, canvas.pickAt);
   addDabs(path, canvas, response);
@@ -116,7 +123,7 @@ void BrushTool::addDabs(std::span<const PathDab> path, const BrushCanvas& canvas
                         BrushResponse& response) const {
   const BrushSettings& settings = running_->settings;
   for (const PathDab& dab : path) {
-    const double pressure = std::clamp(static_cast<double>(dab.pressure), 0.0, 1.0);
+    const auto pressure = static_cast<double>(dab.pressure);
     const double strength = settings.pressure == PressureMapping::kStrength ? pressure : 1;
     const double size =
         settings.pressure == PressureMapping::kSize ? std::max<double>(pressure, kLeastPenSize) : 1;
@@ -186,7 +193,7 @@ void BrushTool::beginAdjusting(BrushAdjustment what, const glm::vec2& px, const 
 }
 
 BrushResponse BrushTool::adjust(const PointerEvent& event) {
-  const BrushResponse changed{.taken = true, .redraw = true};
+  BrushResponse changed{.taken = true, .redraw = true};
   if (event.action == PointerAction::kMove) {
     const double dragged = static_cast<double>(event.px.x - adjusting_->px.x);
     if (adjusting_->what == BrushAdjustment::kRadius) {

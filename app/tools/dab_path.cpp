@@ -10,7 +10,7 @@ namespace stipple {
 namespace {
 
 // One event brings no more stations than this: a pointer that comes from far outside.
-constexpr float kMostStations = 2000;
+constexpr double kMostStations = 2000;
 // From pixel to pixel the surface goes back by its slope: by 8 at 83 degrees. More is a gap.
 constexpr float kSteepest = 8;
 
@@ -44,12 +44,14 @@ std::vector<PathDab> DabPath::extendTo(const glm::vec2& px, float pressure, cons
   // From dab to dab at least two stations, so that the way between them is seen, and at most four: the steps
   // of a way from pixel to pixel would add up to more than its length.
   const float length = glm::distance(px, px_);
-  const float stations = std::min(std::floor(length / std::max(0.25f * spacingPx, 1.f)), kMostStations);
-  if (!(stations >= 1) || !std::isfinite(length)) return dabs;
+  if (!std::isfinite(length)) return dabs;
+  const auto stations =
+      static_cast<int>(std::min<double>(length / std::max(0.25f * spacingPx, 1.f), kMostStations));
+  if (stations == 0) return dabs;
   const glm::vec2 from = px_;
   const float pressureFrom = pressure_;
-  for (float s = 1; s <= stations; ++s) {
-    const float t = s / stations;
+  for (int s = 1; s <= stations; ++s) {
+    const float t = static_cast<float>(s) / static_cast<float>(stations);
     Station next{glm::mix(from, px, t), {}, glm::mix(pressureFrom, pressure, t)};
     const std::optional<Picked> picked = pickAt(next.px);
     if (!picked) {
@@ -73,8 +75,9 @@ std::vector<PathDab> DabPath::extendTo(const glm::vec2& px, float pressure, cons
 
 void DabPath::goOn(const Station& next, float spacing, const PickAt& pickAt, std::vector<PathDab>& dabs) {
   const float step = glm::distance(next.picked.position, last_.picked.position);
-  float covered = spacing - travelled_;
-  for (; covered <= step; covered += spacing) {
+  const int count = std::max(static_cast<int>((travelled_ + step) / spacing), 0);
+  for (int d = 1; d <= count; ++d) {
+    const float covered = static_cast<float>(d) * spacing - travelled_;
     const float t = step > 0 ? std::clamp(covered / step, 0.f, 1.f) : 1;
     const glm::vec3 expected = glm::mix(last_.picked.position, next.picked.position, t);
     const std::optional<Picked> picked = pickAt(glm::mix(last_.px, next.px, t));
@@ -83,7 +86,7 @@ void DabPath::goOn(const Station& next, float spacing, const PickAt& pickAt, std
     lastDab_ = isNear ? picked->position : (t < 0.5f ? last_ : next).picked.position;
     dabs.push_back({lastDab_, glm::mix(last_.pressure, next.pressure, t)});
   }
-  travelled_ = step - (covered - spacing);
+  travelled_ += step - static_cast<float>(count) * spacing;
 }
 
 // At a rim the pointer may leave and reach the surface at every pixel: dabs keep their spacing there too.
