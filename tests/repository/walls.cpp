@@ -35,6 +35,7 @@ const std::vector<Arrow> kArrows = {
     {"render/gl", {"render/gl", "core"}},
     {"render", {"render", "core"}},
     {"app/document", {"app/document", "core", "plugins/api", "render/hierarchy"}},
+    {"app/jobs", {"app/jobs", "app/document", "core", "plugins/api"}},
     {"app", {"app", "core", "plugins/api", "render"}},
 };
 
