@@ -10,6 +10,7 @@
 #ifndef STIPPLE_STD_THREADS
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 #endif
 
 namespace stipple {
@@ -51,6 +52,11 @@ void forEachBlock(std::size_t blocks, const std::function<void(std::size_t)>& bo
 
 }  // namespace
 
+// Threads that a loop starts have the priority of the one that starts them.
+void runAtLowPriority(const std::function<void()>& body) {
+  body();
+}
+
 ThreadLimit::ThreadLimit(int threads) {
   control_ = new int(threadLimit.exchange(threads));
 }
@@ -72,6 +78,11 @@ void forEachBlock(std::size_t blocks, const std::function<void(std::size_t)>& bo
 }
 
 }  // namespace
+
+void runAtLowPriority(const std::function<void()>& body) {
+  tbb::task_arena arena(tbb::task_arena::automatic, 1, tbb::task_arena::priority::low);
+  arena.execute(body);
+}
 
 ThreadLimit::ThreadLimit(int threads) {
   if (threads > 0) {

@@ -8,12 +8,18 @@ namespace stipple {
 Document::Document(PointSet points, std::filesystem::path path, HistoryOptions history)
     : points_(std::move(points)), path_(std::move(path)), history_(std::move(history)) {}
 
+void Document::keepJournal(std::unique_ptr<Journal> journal) {
+  if (journal && isModified()) throw InvalidInput("a journal begins with the points of a file");
+  journal_.keep(std::move(journal), state(), state());
+}
+
 void Document::commit(std::string title, Edit edit, std::optional<Recipe::Step> recipeStep) {
   if (isInStroke()) throw InvalidInput("the points cannot be changed otherwise while a stroke is painted");
   if (edit.empty()) return;
-  const DocumentChange change = changeOf(edit);
+  Edit told = edit;
   edit.apply(points_);
-  log_.add(change);
+  journal_.did(state(), title, std::move(told), recipeStep);
+  log_.add(changeOf(edit));
   push(std::move(title), std::move(edit), std::move(recipeStep));
 }
 
@@ -54,6 +60,7 @@ void Document::endStroke(std::optional<Recipe::Step> recipeStep) {
   Edit edit = difference(*beforeStroke_, points_);
   points_ = *std::exchange(beforeStroke_, std::nullopt);
   if (edit.empty()) return saved_.note(revision(), state());
+  journal_.did(state(), strokeTitle_, edit, recipeStep);
   // The same bits as were painted, from an edit that knows the old ones now.
   edit.apply(points_);
   push(std::move(strokeTitle_), std::move(edit), std::move(recipeStep));
@@ -69,14 +76,18 @@ void Document::cancelStroke() {
 
 bool Document::undo() {
   if (isInStroke() || !history_.canUndo()) return false;
+  std::optional<Edit> unknown = journal_.unknownUndo(history_);
   log_.add(changeOf(history_.undo(points_)));
+  journal_.undid(history_, std::move(unknown));
   saved_.note(revision(), state());
   return true;
 }
 
 bool Document::redo() {
   if (isInStroke() || !history_.canRedo()) return false;
+  std::optional<Edit> unknown = journal_.unknownRedo(history_);
   log_.add(changeOf(history_.redo(points_)));
+  journal_.redid(history_, std::move(unknown));
   saved_.note(revision(), state());
   return true;
 }
@@ -100,6 +111,7 @@ std::vector<std::string> Document::save(const std::filesystem::path& path, const
 void Document::markSaved(const std::filesystem::path& path, std::uint64_t revision) {
   path_ = path;
   saved_.save(saved_.stateAt(revision));
+  journal_.saved(path, saved_.state(), history_, isInStroke() ? *beforeStroke_ : points_);
 }
 
 Document::DoneAsRecipe Document::recipe() const {
@@ -117,7 +129,8 @@ Document::DoneAsRecipe Document::recipe() const {
 }
 
 std::optional<std::string> Document::takeMessage() {
-  return history_.takeMessage();
+  if (auto message = history_.takeMessage()) return message;
+  return journal_.takeMessage();
 }
 
 }  // namespace stipple

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/document/change_log.h"
+#include "app/document/document_journal.h"
 #include "app/document/history.h"
 #include "app/document/recipe.h"
 #include "app/document/saved_state.h"
@@ -30,6 +31,11 @@ class Document {
   /// Grows with every change of the points.
   std::uint64_t revision() const { return log_.revision(); }
   DocumentChange changedSince(std::uint64_t revision) const { return log_.since(revision); }
+
+  /// Journal entries follow every change from now on. The points must be those of the journal's base: throws
+  /// InvalidInput where they are modified. Null: none. A recovered document keeps its journal already.
+  void keepJournal(std::unique_ptr<Journal> journal);
+  bool keepsJournal() const { return journal_.isKept(); }
 
   /// Applies the edit as one entry of the history. An empty edit is no entry. Throws InvalidInput, changing
   /// nothing, where it does not fit, or while a stroke is going on.
@@ -80,6 +86,8 @@ class Document {
   std::optional<std::string> takeMessage();
 
  private:
+  friend class Recovery;
+
   PointSet& strokePoints();
   void record(std::vector<Edit::Touched> touched);
   void recordUnknown();
@@ -91,6 +99,7 @@ class Document {
   History history_;
   ChangeLog log_;
   SavedState saved_;
+  DocumentJournal journal_;
   std::optional<PointSet> beforeStroke_;
   std::string strokeTitle_;
 };

@@ -68,20 +68,24 @@ Invocation makeInvocation(const Registry& registry, const std::string& operatorI
   return {.operatorId = operatorId, .parameters = Parameters(description.parameters)};
 }
 
+std::unique_ptr<Run> startInvocation(const Registry& registry, const Invocation& invocation,
+                                     const PointSet& points) {
+  const Operator& op = requireOperator(registry, invocation.operatorId);
+  const Region region = findRegion(op.description(), invocation.region, points);
+  checkAttributes(invocation.parameters, points);
+  return startGuarded(op, points, region, invocation.parameters);
+}
+
 InvocationResult invoke(const Registry& registry, const Invocation& invocation, const PointSet& points,
                         Progress& progress) {
-  const Operator& op = requireOperator(registry, invocation.operatorId);
-  const OperatorDescription& description = op.description();
-  const Region region = findRegion(description, invocation.region, points);
-  checkAttributes(invocation.parameters, points);
-
-  const auto run = startGuarded(op, points, region, invocation.parameters);
+  const auto run = startInvocation(registry, invocation, points);
+  const std::string& title = requireOperator(registry, invocation.operatorId).description().title;
   int steps = 0;
   for (StepState state{.finished = false, .fraction = 0}; !state.finished; ++steps) {
     progress.throwIfCancelled();
     StepProgress stepProgress(progress, state.fraction);
     state = run->step(stepProgress);
-    progress.report(state.fraction, description.title);
+    progress.report(state.fraction, title);
   }
   return {.result = run->result(), .report = run->report(), .steps = steps};
 }

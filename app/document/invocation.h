@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "plugins/api/registry.h"
@@ -28,9 +29,12 @@ struct InvocationResult {
 /// The operator at its defaults. Throws UsageError, naming the operators there are, where it is unknown.
 Invocation makeInvocation(const Registry& registry, const std::string& operatorId);
 
-/// Steps the operator on `points` until it is finished. Throws UsageError before the start where the region
-/// or an attribute named by a parameter is not in the points, or an operator that needs a region has none;
-/// OperatorFailure; Cancelled.
+/// Starts the operator behind the plugin border. Throws UsageError where the region or an attribute named by
+/// a parameter is not in the points, or an operator that needs a region has none; OperatorFailure.
+std::unique_ptr<Run> startInvocation(const Registry& registry, const Invocation& invocation,
+                                     const PointSet& points);
+
+/// Steps the operator on `points` until it is finished. Throws as startInvocation, and Cancelled.
 InvocationResult invoke(const Registry& registry, const Invocation& invocation, const PointSet& points,
                         Progress& progress);
 

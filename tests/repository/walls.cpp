@@ -37,6 +37,7 @@ const std::vector<Arrow> kArrows = {
     {"app/document", {"app/document", "core", "plugins/api", "render/hierarchy"}},
     {"app/tools", {"app/tools", "app/document", "core", "render/hierarchy"}},
     {"app/panels", {"app/panels", "core", "render/appearance"}},
+    {"app/jobs", {"app/jobs", "app/document", "core", "plugins/api"}},
     {"app", {"app", "core", "plugins/api", "render"}},
 };
 
