@@ -56,7 +56,8 @@ inline float radiusOfArea(int level) {
 /// What the cut needs of an inner node, about the center of its splat.
 struct Bound {
   float radius = 0;   ///< of the sphere about all descendants' discs
-  float cosine = -1;  ///< of the half angle of the cone about all descendants' normals; <= 0: no cone
+  float cosine = -1;  ///< of the half angle of the cone about all descendants' normals, wider over leaves by
+                      ///< as much as these bend; <= 0: no cone
 };
 
 /// Splats of all levels in one array: level 0 are the leaves, one a point, in an order that makes every
@@ -89,7 +90,8 @@ class Hierarchy {
 
   /// Slots are leaves: point of slot, slot of point.
   RawVector<Index> pointOfSlot, slotOfPoint;
-  /// The surface is closed and its normals point outwards: what faces away may be left out.
+  /// The surface is closed and its normals point outwards: what faces away may be left out. Set by those who
+  /// asked closedness.h; building leaves it false, moved or removed points ask anew.
   bool isClosedAndOriented = false;
 
   std::size_t memoryBytes() const;

@@ -88,8 +88,9 @@ void aggregate(Hierarchy& hierarchy, Index parent, Index first, Index count) {
                             glm::length(splats[child].center() - center) + hierarchy.boundingRadius(child));
     if (bound.cosine <= 0) continue;
     const float turned = std::min(glm::dot(axis, normals[i]), 1.f);
+    // A leaf's disc stands for a surface that bends away from it about as its siblings do.
     bound.cosine =
-        std::min(bound.cosine, cosineOfSum(turned, overLeaves ? 1 : hierarchy.bound(child).cosine));
+        std::min(bound.cosine, cosineOfSum(turned, overLeaves ? turned : hierarchy.bound(child).cosine));
   }
   bound.radius *= kSlack;
   hierarchy.editBound(parent) = bound;
