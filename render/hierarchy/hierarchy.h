@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -79,8 +78,8 @@ class Hierarchy {
   Index levelBegin(int level) const { return levelBegins_[level]; }
   Index levelSize(int level) const { return levelBegins_[level + 1] - levelBegins_[level]; }
 
-  std::span<const Splat> splats() const { return {splats_.get(), nodeCount()}; }
-  std::span<Splat> editSplats() { return {splats_.get(), nodeCount()}; }
+  std::span<const Splat> splats() const { return splats_; }
+  std::span<Splat> editSplats() { return splats_; }
   /// Of an inner node, by its index among all nodes.
   const Bound& bound(Index node) const { return bounds_[node - leaves_]; }
   Bound& editBound(Index node) { return bounds_[node - leaves_]; }
@@ -99,8 +98,8 @@ class Hierarchy {
  private:
   Index leaves_ = 0;
   std::vector<Index> levelBegins_;
-  std::unique_ptr<Splat[]> splats_;
-  std::unique_ptr<Bound[]> bounds_;
+  RawVector<Splat> splats_;
+  RawVector<Bound> bounds_;
 };
 
 }  // namespace stipple

@@ -121,8 +121,16 @@ void appendCoalesced(std::vector<NodeRange>& ranges, Index node) {
 
 }  // namespace
 
-void refitAll(Hierarchy& hierarchy, const Progress* progress) {
-  for (int level = 1; level < hierarchy.levelCount(); ++level) {
+void refitLeaves(Hierarchy& hierarchy, std::size_t begin, std::size_t end, int levels) {
+  for (int level = 1; level <= levels && level < hierarchy.levelCount(); ++level) {
+    begin /= Hierarchy::kArity;
+    end = (end + Hierarchy::kArity - 1) / Hierarchy::kArity;
+    aggregateRange(hierarchy, level, begin, end);
+  }
+}
+
+void refitAll(Hierarchy& hierarchy, const Progress* progress, int lowest) {
+  for (int level = lowest; level < hierarchy.levelCount(); ++level) {
     parallelFor(
         hierarchy.levelSize(level), kGrain,
         [&](std::size_t begin, std::size_t end) { aggregateRange(hierarchy, level, begin, end); }, progress);
