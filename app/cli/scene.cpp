@@ -9,6 +9,7 @@
 #include "app/cli/command.h"
 #include "app/cli/files.h"
 #include "render/hierarchy/build.h"
+#include "render/hierarchy/closedness.h"
 #include "render/hierarchy/splat_radii.h"
 
 namespace stipple {
@@ -60,6 +61,9 @@ void prepareSplats(const RenderOptions& options, Scene& scene, StageSeconds& sec
                            .normals = surface.normals,
                            .colors = scene.colors},
                           LeafOrder::kKd, &progress);
+  });
+  seconds.measure("closedness", [&] {
+    scene.hierarchy.isClosedAndOriented = isClosedAndOriented(scene.points, scene.hierarchy, &progress);
   });
   scene.sphere = frame(scene.points, surface.radii);
 }

@@ -20,15 +20,15 @@ struct ToolFace {
   const char* help;
 };
 
-ToolFace faceOf(BrushTool tool) {
+ToolFace faceOf(PanelTool tool) {
   switch (tool) {
-    case BrushTool::kPaint:
+    case PanelTool::kPaint:
       return {"Paint", Icon::kPaint, "Paint the attribute below. Ctrl erases, Shift smooths."};
-    case BrushTool::kErase:
+    case PanelTool::kErase:
       return {"Erase", Icon::kErase, "Set the attribute back to what it is where nothing was painted."};
-    case BrushTool::kSmooth:
+    case PanelTool::kSmooth:
       return {"Smooth", Icon::kSmooth, "Even out the attribute under the brush."};
-    case BrushTool::kSelect:
+    case PanelTool::kSelect:
       break;
   }
   return {"Select", Icon::kSelect, "Select points under the brush. Ctrl removes them from the selection."};
@@ -42,7 +42,7 @@ float sharedWidth(int count, float gap) {
 void drawTools(const BrushModel& model, BrushActions& actions) {
   const float gap = scaled(4);
   const ImVec2 size(sharedWidth(static_cast<int>(model.tools.size()), gap), scaled(46));
-  for (const BrushTool& tool : model.tools) {
+  for (const PanelTool& tool : model.tools) {
     if (&tool != &model.tools.front()) ImGui::SameLine(0, gap);
     const ToolFace face = faceOf(tool);
     if (toolButton(face.name, face.icon, {.isOn = tool == model.tool, .help = face.help, .size = size})) {
@@ -129,7 +129,7 @@ std::string percent(float fraction) {
 }
 
 void drawRadius(const BrushModel& model, BrushActions& actions) {
-  const bool inPixels = model.radiusUnit == RadiusUnit::kPixels;
+  const bool inPixels = model.radiusUnit == PanelRadiusUnit::kPixels;
   const float unitWidth = scaled(54), gap = scaled(4);
   actions.radius =
       valueField({.label = "Radius",
@@ -144,7 +144,7 @@ void drawRadius(const BrushModel& model, BrushActions& actions) {
   const char* help = inPixels ? "On the screen: the same size at every distance. Click for the model's units."
                               : "In the model's units: the same place at every distance. Click for pixels.";
   if (textButton(inPixels ? "screen" : "model", {.help = help, .size = ImVec2(unitWidth, 0)})) {
-    actions.radiusUnit = inPixels ? RadiusUnit::kModel : RadiusUnit::kPixels;
+    actions.radiusUnit = inPixels ? PanelRadiusUnit::kModel : PanelRadiusUnit::kPixels;
   }
 }
 

@@ -11,8 +11,8 @@
 
 namespace stipple {
 
-enum class BrushTool { kPaint, kErase, kSmooth, kSelect };
-enum class RadiusUnit { kModel, kPixels };
+enum class PanelTool { kPaint, kErase, kSmooth, kSelect };
+enum class PanelRadiusUnit { kModel, kPixels };
 
 /// What paint leaves behind: a color, ...
 struct PaintedColor {
@@ -30,13 +30,13 @@ struct PaintedNumber {
 };
 
 struct BrushModel {
-  std::vector<BrushTool> tools = {BrushTool::kPaint, BrushTool::kErase, BrushTool::kSmooth,
-                                  BrushTool::kSelect};
-  BrushTool tool = BrushTool::kPaint;
+  std::vector<PanelTool> tools = {PanelTool::kPaint, PanelTool::kErase, PanelTool::kSmooth,
+                                  PanelTool::kSelect};
+  PanelTool tool = PanelTool::kPaint;
   std::vector<std::string> attributes = {};  ///< titles of those that can be painted
   int attribute = 0;                         ///< index of the one being painted
   std::variant<std::monostate, PaintedColor, PaintedLabel, PaintedNumber> paint = {};
-  RadiusUnit radiusUnit = RadiusUnit::kPixels;
+  PanelRadiusUnit radiusUnit = PanelRadiusUnit::kPixels;
   float radius = 30, minRadius = 1, maxRadius = 500;  ///< in the radius unit
   float strength = 1;                                 ///< 0..1
   float spacing = 0.25f;                              ///< of dabs, in radii
@@ -47,13 +47,13 @@ struct BrushModel {
 
 /// What the user changed in this frame.
 struct BrushActions {
-  std::optional<BrushTool> tool;
+  std::optional<PanelTool> tool;
   std::optional<int> attribute;
   std::optional<Rgba8> color;
   std::optional<std::int64_t> label;
   bool addLabel = false;
   std::optional<float> number, radius, strength, spacing;
-  std::optional<RadiusUnit> radiusUnit;
+  std::optional<PanelRadiusUnit> radiusUnit;
   std::optional<std::array<bool, 3>> symmetry;
   std::optional<bool> onlyVisible, onlySelection;
 };

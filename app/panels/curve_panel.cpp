@@ -15,8 +15,8 @@ namespace stipple {
 namespace {
 
 std::string stateOf(const CurveModel& model) {
-  if (model.state == ProcessState::kFinished) return "finished";
-  if (model.state == ProcessState::kPaused) return "paused";
+  if (model.state == ProcessPhase::kFinished) return "finished";
+  if (model.state == ProcessPhase::kPaused) return "paused";
   if (!model.fraction) return "running";
   const std::string percent = fmt::format("{:.0f} %", 100 * std::clamp(*model.fraction, 0.0, 1.0));
   return model.secondsLeft ? percent + ", " + spokenDuration(*model.secondsLeft) + " left" : percent;
@@ -45,7 +45,7 @@ void drawProgress(const CurveModel& model) {
   const float rounding = height / 2;
   list.AddRectFilled(from, ImVec2(from.x + width, from.y + height), ImGui::GetColorU32(ImGuiCol_FrameBg),
                      rounding);
-  const double fraction = model.state == ProcessState::kFinished ? 1 : std::clamp(*model.fraction, 0.0, 1.0);
+  const double fraction = model.state == ProcessPhase::kFinished ? 1 : std::clamp(*model.fraction, 0.0, 1.0);
   const float end = std::round(from.x + width * static_cast<float>(fraction));
   if (end > from.x) list.AddRectFilled(from, ImVec2(end, from.y + height), accentColor(), rounding);
 }
@@ -113,7 +113,7 @@ void drawLastValue(const CurveModel& model) {
 void drawButtons(const CurveModel& model, CurveActions& actions) {
   const float gap = scaled(4);
   const ImVec2 size(scaled(38), scaled(26));
-  const bool isOver = model.state == ProcessState::kFinished, isPaused = model.state == ProcessState::kPaused;
+  const bool isOver = model.state == ProcessPhase::kFinished, isPaused = model.state == ProcessPhase::kPaused;
   const bool canBePaused = model.canBePaused && !isOver;
   if (isPaused) {
     actions.resume = iconButton("##resume", Icon::kPlay, {.help = "Go on", .size = size});

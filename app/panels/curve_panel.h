@@ -9,7 +9,7 @@
 
 namespace stipple {
 
-enum class ProcessState { kRunning, kPaused, kFinished };
+enum class ProcessPhase { kRunning, kPaused, kFinished };
 
 /// A process at work, and the number that it reports after each step.
 struct CurveModel {
@@ -17,7 +17,7 @@ struct CurveModel {
   std::string quantity;             ///< of the values: "residual", "change per step"; empty: none
   std::vector<double> values = {};  ///< one a step, the latest last
   std::int64_t steps = 0;           ///< done so far
-  ProcessState state = ProcessState::kRunning;
+  ProcessPhase state = ProcessPhase::kRunning;
   std::optional<double> fraction = {};  ///< 0..1; none: it runs until it is stopped
   std::optional<double> secondsLeft = {};
   bool canBePaused = true;  ///< paused, stepped and stopped; all can be canceled

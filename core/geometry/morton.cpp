@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
+
+#include "core/parallel.h"
 
 namespace stipple {
 
@@ -48,10 +51,22 @@ std::uint64_t MortonLattice::codeOf(const Eigen::Vector3f& position) const {
 MortonLattice fitMortonLattice(std::span<const Eigen::Vector3f> positions) {
   MortonLattice lattice;
   if (positions.empty()) return lattice;
-  Eigen::Vector3f low = positions[0], high = positions[0];
-  for (const Eigen::Vector3f& p : positions) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
+  constexpr std::size_t kBlock = 1 << 18;
+  const std::size_t blocks = (positions.size() + kBlock - 1) / kBlock;
+  std::vector<Eigen::Vector3f> lows(blocks), highs(blocks);
+  parallelFor(positions.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    Eigen::Vector3f low = positions[begin], high = low;
+    for (const Eigen::Vector3f& p : positions.subspan(begin, end - begin)) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    lows[begin / kBlock] = low;
+    highs[begin / kBlock] = high;
+  });
+  Eigen::Vector3f low = lows[0], high = highs[0];
+  for (std::size_t block = 1; block < blocks; ++block) {
+    low = low.cwiseMin(lows[block]);
+    high = high.cwiseMax(highs[block]);
   }
   lattice.corner = low;
   // Divided before the difference, so that a box of the largest floats does not overflow.

@@ -1,5 +1,6 @@
 #include "render/hierarchy/build.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +11,9 @@ namespace stipple {
 
 namespace {
 
-constexpr std::size_t kGrain = 1 << 14;
+// A whole subtree of leaves, which stays in the cache until it is aggregated.
+constexpr int kBlockLevels = 7;
+constexpr std::size_t kGrain = 1 << (2 * kBlockLevels);
 // Leaves between asking for memory and using it.
 constexpr Index kAhead = 24;
 // Disc of a leaf of a block over the spacing: random points leave one of a thousand places bare.
@@ -82,13 +85,16 @@ class LeafFiller {
 
   // Copies of one place must not vanish: a millionth of the extent, or of the coordinates.
   float leastRadius() const {
-    Eigen::Vector3f low = Eigen::Vector3f::Constant(std::numeric_limits<float>::max()), high = -low;
-    for (const Eigen::Vector3f& p : leaves_.positions) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
     if (leaves_.positions.empty()) return 0;
-    const float extent = (high - low).maxCoeff(), farthest = high.cwiseMax(-low).maxCoeff();
+    std::vector<Eigen::AlignedBox3f> boxes((leaves_.positions.size() + kGrain - 1) / kGrain);
+    parallelFor(leaves_.positions.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      Eigen::AlignedBox3f box;
+      for (const Eigen::Vector3f& p : leaves_.positions.subspan(begin, end - begin)) box.extend(p);
+      boxes[begin / kGrain] = box;
+    });
+    Eigen::AlignedBox3f all;
+    for (const Eigen::AlignedBox3f& box : boxes) all.extend(box);
+    const float extent = all.sizes().maxCoeff(), farthest = all.max().cwiseMax(-all.min()).maxCoeff();
     return std::max({1e-6f * extent, 1e-7f * farthest, 1e-12f});
   }
 
@@ -123,9 +129,10 @@ Hierarchy buildHierarchy(const LeafAttributes& leaves, LeafOrder order, const Pr
           hierarchy.slotOfPoint[point] = slot;
           splats[slot] = filler.fill(slot);
         }
+        refitLeaves(hierarchy, begin, end, kBlockLevels);
       },
       progress);
-  refitAll(hierarchy, progress);
+  refitAll(hierarchy, progress, kBlockLevels + 1);
   return hierarchy;
 }
 

@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "render/hierarchy/closedness.h"
+
 namespace stipple {
 
 namespace {
@@ -44,6 +46,7 @@ const std::array<float, 1024>& spreadTable() {
 // One pass through the tree with one threshold.
 class CutSelection {
  public:
+  // Backfaces are culled where the options say so, whatever the model.
   CutSelection(const Hierarchy& hierarchy, const View& view, const CutOptions& options, float tau,
                CutMemory* memory)
       : hierarchy_(hierarchy), view_(view), options_(options), tau_(tau) {
@@ -56,7 +59,6 @@ class CutSelection {
       if (memory->opened_.size() != inner) memory->opened_.assign(inner, kUnknown);
       opened_ = memory->opened_.data();
     }
-    cullsBackfaces_ = options.cullBackfaces && hierarchy.isClosedAndOriented;
     spread_ = spreadTable().data();
   }
 
@@ -96,7 +98,6 @@ class CutSelection {
   float tau_;
   glm::vec2 slope_, scale_;
   std::uint8_t* opened_ = nullptr;
-  bool cullsBackfaces_ = false;
   const float* spread_ = nullptr;
 };
 
@@ -112,7 +113,11 @@ bool CutSelection::isOutside(const glm::vec3& p, float radius) const {
 // All normals within the cone point away from an eye that is outside of the sphere, wherever in it the
 // surface is.
 bool CutSelection::facesAway(Index node, const glm::vec3& center, float radius) const {
-  const float cosine = node < hierarchy_.leafCount() ? 1 : hierarchy_.bound(node).cosine;
+  if (hierarchy_.levelCount() < 2) return false;
+  // A leaf's own cone is at most as wide as that of its parent.
+  const bool isLeaf = node < hierarchy_.leafCount();
+  const float cosine =
+      hierarchy_.bound(isLeaf ? hierarchy_.levelBegin(1) + node / Hierarchy::kArity : node).cosine;
   if (cosine <= 0) return false;
   const glm::vec3 normal = unpackNormal(hierarchy_.splats()[node].shape);
   const float sine = std::sqrt(std::max(0.f, 1 - cosine * cosine));
@@ -159,7 +164,7 @@ void CutSelection::descend(Place top, int lowest, std::vector<Place>& places) co
     const glm::vec3 p = view_.toView(splat.center());
     const float bound = hierarchy_.boundingRadius(place.node);
     if (options_.cullFrustum && isOutside(p, bound)) continue;
-    if (cullsBackfaces_ && facesAway(place.node, splat.center(), bound)) continue;
+    if (options_.cullBackfaces && facesAway(place.node, splat.center(), bound)) continue;
     if (place.level > lowest && opens(place, splat, p)) {
       push(place, stack);
     } else {
@@ -211,10 +216,13 @@ bool CutSelection::select(std::vector<Index>& nodes, const Progress* progress) {
   return true;
 }
 
-Cut selectCut(const Hierarchy& hierarchy, const View& view, const CutOptions& options, CutMemory* memory,
+Cut selectCut(const Hierarchy& hierarchy, const View& view, const CutOptions& wanted, CutMemory* memory,
               const Progress* progress) {
-  Cut cut{.nodes = {}, .tau = options.tau, .isComplete = true};
+  Cut cut{.nodes = {}, .tau = wanted.tau, .isComplete = true};
   if (hierarchy.leafCount() == 0) return cut;
+  CutOptions options = wanted;
+  // Who looks from inside sees the backs.
+  options.cullBackfaces &= hierarchy.isClosedAndOriented && !isInside(hierarchy, view.eye);
   constexpr float kCoarser = 1.3f;
   while (!CutSelection(hierarchy, view, options, cut.tau, memory).select(cut.nodes, progress)) {
     cut.tau *= kCoarser;

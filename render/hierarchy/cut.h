@@ -12,7 +12,7 @@ struct CutOptions {
   float tau = 3;  ///< pixels: a node whose disc is smaller across is drawn, otherwise its children
   Index budget = 20'000'000;  ///< most nodes of a cut; tau is raised until it fits
   bool cullFrustum = true;
-  bool cullBackfaces = true;  ///< only where the hierarchy is closed and oriented
+  bool cullBackfaces = true;  ///< only of closed and oriented models, seen from outside
 };
 
 /// The nodes that are opened in the last cut: keeps a node as it was until its size passes the threshold

@@ -55,8 +55,8 @@ Hierarchy::Hierarchy(Index leaves) : leaves_(leaves), levelBegins_{0} {
     if (size != leaves) end += size;
     levelBegins_.push_back(static_cast<Index>(end));
   }
-  splats_ = std::make_unique_for_overwrite<Splat[]>(nodeCount());
-  bounds_ = std::make_unique_for_overwrite<Bound[]>(nodeCount() - leaves);
+  splats_.resize(nodeCount());
+  bounds_.resize(nodeCount() - leaves);
 }
 
 std::size_t Hierarchy::memoryBytes() const {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -56,7 +55,8 @@ inline float radiusOfArea(int level) {
 /// What the cut needs of an inner node, about the center of its splat.
 struct Bound {
   float radius = 0;   ///< of the sphere about all descendants' discs
-  float cosine = -1;  ///< of the half angle of the cone about all descendants' normals; <= 0: no cone
+  float cosine = -1;  ///< of the half angle of the cone about all descendants' normals, wider over leaves by
+                      ///< as much as these bend; <= 0: no cone
 };
 
 /// Splats of all levels in one array: level 0 are the leaves, one a point, in an order that makes every
@@ -78,8 +78,8 @@ class Hierarchy {
   Index levelBegin(int level) const { return levelBegins_[level]; }
   Index levelSize(int level) const { return levelBegins_[level + 1] - levelBegins_[level]; }
 
-  std::span<const Splat> splats() const { return {splats_.get(), nodeCount()}; }
-  std::span<Splat> editSplats() { return {splats_.get(), nodeCount()}; }
+  std::span<const Splat> splats() const { return splats_; }
+  std::span<Splat> editSplats() { return splats_; }
   /// Of an inner node, by its index among all nodes.
   const Bound& bound(Index node) const { return bounds_[node - leaves_]; }
   Bound& editBound(Index node) { return bounds_[node - leaves_]; }
@@ -89,7 +89,8 @@ class Hierarchy {
 
   /// Slots are leaves: point of slot, slot of point.
   RawVector<Index> pointOfSlot, slotOfPoint;
-  /// The surface is closed and its normals point outwards: what faces away may be left out.
+  /// The surface is closed and its normals point outwards: what faces away may be left out. Set by those who
+  /// asked closedness.h; building leaves it false, moved or removed points ask anew.
   bool isClosedAndOriented = false;
 
   std::size_t memoryBytes() const;
@@ -97,8 +98,8 @@ class Hierarchy {
  private:
   Index leaves_ = 0;
   std::vector<Index> levelBegins_;
-  std::unique_ptr<Splat[]> splats_;
-  std::unique_ptr<Bound[]> bounds_;
+  RawVector<Splat> splats_;
+  RawVector<Bound> bounds_;
 };
 
 }  // namespace stipple

@@ -10,97 +10,115 @@ namespace stipple {
 
 namespace {
 
-struct CodedPoint {
-  std::uint64_t code;
-  Index point;
-};
-
-// Stable radix sort by the 44 highest of 63 bits, 14 to 15 an axis: finer than the spacing of any scan that
-// fits into memory. Blocks count and scatter in parallel.
+// Sorts points by the 43 highest of 63 bits of their Morton codes, 14 to 15 an axis: finer than the spacing
+// of any scan that fits into memory. A first pass over all of them makes buckets that fit into the cache,
+// where the others run. Equal codes keep the order of the points.
 class MortonSort {
  public:
-  MortonSort(RawVector<CodedPoint>& points, const Progress* progress) : points_(points), progress_(progress) {
-    const std::size_t blocks = std::clamp<std::size_t>(points.size() / kLeastBlock, 1, kMostBlocks);
-    block_ = std::max<std::size_t>(1, (points.size() + blocks - 1) / blocks);
-    counts_.resize((points.size() + block_ - 1) / block_);
+  MortonSort(std::span<const Eigen::Vector3f> positions, const Progress* progress)
+      : positions_(positions), progress_(progress), codes_(positions.size()), entries_(positions.size()) {
+    const std::size_t blocks = std::clamp<std::size_t>(positions.size() / kLeastBlock, 1, kMostBlocks);
+    block_ = std::max<std::size_t>(1, (positions.size() + blocks - 1) / blocks);
+    counts_.resize((positions.size() + block_ - 1) / block_);
   }
 
-  void sort() {
-    RawVector<CodedPoint> other(points_.size());
-    for (int shift = 3 * MortonLattice::kBits - 4 * kDigitBits; shift < 3 * MortonLattice::kBits;
-         shift += kDigitBits) {
-      count(shift);
-      if (!accumulate()) continue;
-      scatter(shift, other);
-      points_.swap(other);
-    }
+  RawVector<PlacedPoint> sort() {
+    fillBuckets();
+    RawVector<PlacedPoint> order(positions_.size());
+    parallelFor(
+        kBuckets, 1,
+        [&](std::size_t bucket, std::size_t) {
+          const Index begin = begins_[bucket], size = begins_[bucket + 1] - begin;
+          place(sortBucket(begin, size), std::span(order).subspan(begin, size));
+        },
+        progress_);
+    return order;
   }
 
  private:
-  static constexpr int kDigitBits = 11, kDigits = 1 << kDigitBits;
-  static constexpr std::size_t kLeastBlock = 1 << 16, kMostBlocks = 16;
+  // 32 bits of the code below those of the bucket, and the point.
+  using Entry = std::uint64_t;
+  static Entry entryOf(std::uint64_t code, std::size_t point) {
+    return code >> (3 * MortonLattice::kBits - kDigitBits - 32) << 32 | point;
+  }
+  static Index pointOf(Entry entry) { return static_cast<Index>(entry); }
 
-  static std::size_t digitOf(const CodedPoint& p, int shift) { return p.code >> shift & (kDigits - 1); }
+  static constexpr int kDigitBits = 11, kBuckets = 1 << kDigitBits, kPasses = 3;
+  static constexpr std::array<int, kPasses> kShifts{32, 42, 53};
+  static constexpr std::size_t kLeastBlock = 1 << 16, kMostBlocks = 16, kSmall = 256;
+  // Points between asking for memory and using it.
+  static constexpr std::size_t kAhead = 16;
+  using Counts = std::array<Index, kBuckets>;
 
-  void count(int shift) {
-    parallelFor(
-        points_.size(), block_,
-        [&](std::size_t begin, std::size_t end) {
-          std::array<Index, kDigits>& count = counts_[begin / block_];
-          count.fill(0);
-          for (std::size_t i = begin; i < end; ++i) ++count[digitOf(points_[i], shift)];
-        },
-        progress_);
+  static std::size_t bucketOf(std::uint64_t code) { return code >> (3 * MortonLattice::kBits - kDigitBits); }
+  // 10, 11 and 11 bits.
+  static std::size_t digitOf(Entry entry, int pass) {
+    return entry >> kShifts[pass] & (pass == 0 ? kBuckets / 2 - 1 : kBuckets - 1);
   }
 
-  // Counts become places; false where all points share the digit.
-  bool accumulate() {
+  void fillBuckets() {
+    const MortonLattice lattice = fitMortonLattice(positions_);
+    forBlocks([&](std::size_t begin, std::size_t end) {
+      Counts& count = counts_[begin / block_];
+      count.fill(0);
+      for (std::size_t i = begin; i < end; ++i) {
+        codes_[i] = lattice.codeOf(positions_[i]);
+        ++count[bucketOf(codes_[i])];
+      }
+    });
     Index sum = 0;
-    bool isNeeded = true;
-    for (int digit = 0; digit < kDigits; ++digit) {
-      const Index before = sum;
-      for (std::array<Index, kDigits>& count : counts_) sum += std::exchange(count[digit], sum);
-      if (sum - before == points_.size()) isNeeded = false;
+    for (int bucket = 0; bucket < kBuckets; ++bucket) {
+      begins_[bucket] = sum;
+      for (Counts& count : counts_) sum += std::exchange(count[bucket], sum);
     }
-    return isNeeded;
+    begins_[kBuckets] = sum;
+    forBlocks([&](std::size_t begin, std::size_t end) {
+      Counts& next = counts_[begin / block_];
+      for (std::size_t i = begin; i < end; ++i) entries_[next[bucketOf(codes_[i])]++] = entryOf(codes_[i], i);
+    });
   }
 
-  void scatter(int shift, RawVector<CodedPoint>& other) {
-    parallelFor(
-        points_.size(), block_,
-        [&](std::size_t begin, std::size_t end) {
-          std::array<Index, kDigits>& place = counts_[begin / block_];
-          for (std::size_t i = begin; i < end; ++i) other[place[digitOf(points_[i], shift)]++] = points_[i];
-        },
-        progress_);
+  template <class Body>
+  void forBlocks(const Body& body) {
+    parallelFor(positions_.size(), block_, body, progress_);
   }
 
-  RawVector<CodedPoint>& points_;
+  // The entries of a bucket, in one memory or the other.
+  std::span<const Entry> sortBucket(Index begin, Index size) {
+    std::span<Entry> from(entries_.data() + begin, size), to(codes_.data() + begin, size);
+    if (size < kSmall) {
+      std::ranges::sort(from);
+      return from;
+    }
+    std::array<Counts, kPasses> counts{};
+    for (const Entry entry : from) {
+      for (int pass = 0; pass < kPasses; ++pass) ++counts[pass][digitOf(entry, pass)];
+    }
+    for (int pass = 0; pass < kPasses; ++pass) {
+      Index sum = 0;
+      for (Index& count : counts[pass]) sum += std::exchange(count, sum);
+      for (const Entry entry : from) to[counts[pass][digitOf(entry, pass)]++] = entry;
+      std::swap(from, to);
+    }
+    return from;
+  }
+
+  void place(std::span<const Entry> entries, std::span<PlacedPoint> order) const {
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      if (i + kAhead < entries.size()) __builtin_prefetch(&positions_[pointOf(entries[i + kAhead])]);
+      const Index point = pointOf(entries[i]);
+      order[i] = {positions_[point], point};
+    }
+  }
+
+  std::span<const Eigen::Vector3f> positions_;
   const Progress* progress_;
   std::size_t block_ = 1;
-  std::vector<std::array<Index, kDigits>> counts_;
+  std::vector<Counts> counts_;
+  std::array<Index, kBuckets + 1> begins_{};
+  RawVector<std::uint64_t> codes_;  // room for sorting once the buckets are filled
+  RawVector<Entry> entries_;
 };
-
-RawVector<PlacedPoint> mortonOrder(std::span<const Eigen::Vector3f> positions, const Progress* progress) {
-  const MortonLattice lattice = fitMortonLattice(positions);
-  RawVector<CodedPoint> points(positions.size());
-  parallelFor(
-      points.size(), 1 << 16,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-          points[i] = {lattice.codeOf(positions[i]), static_cast<Index>(i)};
-      },
-      progress);
-  MortonSort(points, progress).sort();
-  RawVector<PlacedPoint> order(points.size());
-  parallelFor(
-      points.size(), 1 << 14,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) order[i] = {positions[points[i].point], points[i].point};
-      },
-      progress);
-  return order;
-}
 
 int longestAxis(std::span<const PlacedPoint> points) {
   Eigen::Vector3f low = points.front().position, high = low;
@@ -139,7 +157,7 @@ void splitRecursively(std::span<PlacedPoint> points, const Progress* progress) {
 
 RawVector<PlacedPoint> orderLeaves(std::span<const Eigen::Vector3f> positions, LeafOrder order,
                                    const Progress* progress) {
-  RawVector<PlacedPoint> points = mortonOrder(positions, progress);
+  RawVector<PlacedPoint> points = MortonSort(positions, progress).sort();
   // From the Morton order, where points that stand together fall on one side together: branches are foreseen.
   if (order == LeafOrder::kKd) splitRecursively(points, progress);
   return points;

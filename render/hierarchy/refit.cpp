@@ -88,8 +88,9 @@ void aggregate(Hierarchy& hierarchy, Index parent, Index first, Index count) {
                             glm::length(splats[child].center() - center) + hierarchy.boundingRadius(child));
     if (bound.cosine <= 0) continue;
     const float turned = std::min(glm::dot(axis, normals[i]), 1.f);
+    // A leaf's disc stands for a surface that bends away from it about as its siblings do.
     bound.cosine =
-        std::min(bound.cosine, cosineOfSum(turned, overLeaves ? 1 : hierarchy.bound(child).cosine));
+        std::min(bound.cosine, cosineOfSum(turned, overLeaves ? turned : hierarchy.bound(child).cosine));
   }
   bound.radius *= kSlack;
   hierarchy.editBound(parent) = bound;
@@ -120,8 +121,16 @@ void appendCoalesced(std::vector<NodeRange>& ranges, Index node) {
 
 }  // namespace
 
-void refitAll(Hierarchy& hierarchy, const Progress* progress) {
-  for (int level = 1; level < hierarchy.levelCount(); ++level) {
+void refitLeaves(Hierarchy& hierarchy, std::size_t begin, std::size_t end, int levels) {
+  for (int level = 1; level <= levels && level < hierarchy.levelCount(); ++level) {
+    begin /= Hierarchy::kArity;
+    end = (end + Hierarchy::kArity - 1) / Hierarchy::kArity;
+    aggregateRange(hierarchy, level, begin, end);
+  }
+}
+
+void refitAll(Hierarchy& hierarchy, const Progress* progress, int lowest) {
+  for (int level = lowest; level < hierarchy.levelCount(); ++level) {
     parallelFor(
         hierarchy.levelSize(level), kGrain,
         [&](std::size_t begin, std::size_t end) { aggregateRange(hierarchy, level, begin, end); }, progress);

@@ -14,8 +14,12 @@ struct NodeRange {
   friend bool operator==(const NodeRange&, const NodeRange&) = default;
 };
 
-/// Aggregates every inner node anew.
-void refitAll(Hierarchy& hierarchy, const Progress* progress = nullptr);
+/// Aggregates every inner node anew, from the level `lowest` on.
+void refitAll(Hierarchy& hierarchy, const Progress* progress = nullptr, int lowest = 1);
+
+/// Aggregates the lower `levels` levels over the leaves [begin, end), which are whole subtrees of that
+/// height, but for the last.
+void refitLeaves(Hierarchy& hierarchy, std::size_t begin, std::size_t end, int levels);
 
 /// Aggregates the ancestors of leaves that were changed (slots in any order), level by level. Same bits as
 /// refitAll. Returns the changed nodes, leaves included, ascending and coalesced across small gaps.

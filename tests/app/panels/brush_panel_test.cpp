@@ -37,8 +37,8 @@ struct Bench {
 TEST(BrushPanel, ChoosesEveryTool) {
   for (const float scale : kScales) {
     Bench bench(colorBrush(), scale);
-    for (const BrushTool tool :
-         {BrushTool::kErase, BrushTool::kSmooth, BrushTool::kSelect, BrushTool::kPaint}) {
+    for (const PanelTool tool :
+         {PanelTool::kErase, PanelTool::kSmooth, PanelTool::kSelect, PanelTool::kPaint}) {
       EXPECT_TRUE(bench.canClick([&](const BrushActions& actions) { return actions.tool == tool; }));
     }
   }
@@ -46,10 +46,10 @@ TEST(BrushPanel, ChoosesEveryTool) {
 
 TEST(BrushPanel, OffersOnlyTheToolsThatThereAre) {
   BrushModel model = colorBrush();
-  model.tools = {BrushTool::kPaint, BrushTool::kErase};
+  model.tools = {PanelTool::kPaint, PanelTool::kErase};
   Bench bench(model);
   EXPECT_FALSE(
-      bench.canClick([](const BrushActions& actions) { return actions.tool == BrushTool::kSelect; }));
+      bench.canClick([](const BrushActions& actions) { return actions.tool == PanelTool::kSelect; }));
 }
 
 TEST(BrushPanel, ChoosesAndAddsLabels) {
@@ -79,7 +79,7 @@ TEST(BrushPanel, TurnsSymmetryLimitsAndUnit) {
     }));
     EXPECT_TRUE(bench.canClick([](const BrushActions& a) { return a.onlyVisible == false; }));
     EXPECT_TRUE(bench.canClick([](const BrushActions& a) { return a.onlySelection == false; }));
-    EXPECT_TRUE(bench.canClick([](const BrushActions& a) { return a.radiusUnit == RadiusUnit::kPixels; }));
+    EXPECT_TRUE(bench.canClick([](const BrushActions& a) { return a.radiusUnit == PanelRadiusUnit::kPixels; }));
   }
 }
 

@@ -32,7 +32,7 @@ TEST(CurvePanel, ARunningProcessIsPausedSteppedStoppedAndCanceled) {
 
 TEST(CurvePanel, APausedProcessGoesOn) {
   CurveModel model = residualCurve();
-  model.state = ProcessState::kPaused;
+  model.state = ProcessPhase::kPaused;
   EXPECT_TRUE(canClick(model, &CurveActions::resume));
   EXPECT_FALSE(canClick(model, &CurveActions::pause));
 }
@@ -47,7 +47,7 @@ TEST(CurvePanel, WhatCannotBePausedCanBeCanceled) {
 
 TEST(CurvePanel, AFinishedProcessIsClosed) {
   CurveModel model = residualCurve();
-  model.state = ProcessState::kFinished;
+  model.state = ProcessPhase::kFinished;
   EXPECT_TRUE(canClick(model, &CurveActions::close));
   EXPECT_FALSE(canClick(model, &CurveActions::cancel));
   EXPECT_FALSE(canClick(model, &CurveActions::stop));

@@ -78,14 +78,14 @@ TEST(Overlay, HasManyFaces) {
       OverlayModel model = fullOverlay();
       model.brush = colorBrush();
       model.legend = segmentLegend();
-      model.curve->state = ProcessState::kPaused;
+      model.curve->state = ProcessPhase::kPaused;
       model.cards.clear();
       stage.settle([&] { drawOverlay(model); });
       stage.click(glm::vec2(130, 130) * scale, [&] { drawOverlay(model); });
       stage.save("color_" + end);
 
       model.brush = maskBrush();
-      model.curve->state = ProcessState::kFinished;
+      model.curve->state = ProcessPhase::kFinished;
       model.curve->quantity.clear();
       model.message = MessageModel{.text = "saved bunny.ply, 134,345 points"};
       stage.context().setKey(OverlayKey::kEscape, true);

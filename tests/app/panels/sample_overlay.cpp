@@ -23,7 +23,7 @@ BrushModel labelBrush() {
   BrushModel brush = colorBrush();
   brush.attribute = 1;
   brush.paint = PaintedLabel{.label = 3, .labels = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}};
-  brush.radiusUnit = RadiusUnit::kModel;
+  brush.radiusUnit = PanelRadiusUnit::kModel;
   brush.radius = 0.0125f;
   brush.minRadius = 1e-4f;
   brush.maxRadius = 0.5f;
@@ -36,7 +36,7 @@ BrushModel labelBrush() {
 BrushModel maskBrush() {
   BrushModel brush = colorBrush();
   brush.attribute = 2;
-  brush.tool = BrushTool::kErase;
+  brush.tool = PanelTool::kErase;
   brush.paint = PaintedNumber{.value = 0.75f};
   return brush;
 }

@@ -4,6 +4,7 @@
 
 #include "core/io/input_file.h"
 #include "core/io/point_io.h"
+#include "render/hierarchy/closedness.h"
 #include "tests/bench/render/workbench.h"
 #include "tests/support/sampled_hierarchy.h"
 
@@ -95,6 +96,11 @@ void printBuild(Workbench& bench) {
         whole.medianCpu(), refitting.median());
     std::fflush(stdout);
   }
+  const PointSet points(bench.samples().positions);
+  const Stopwatch asking;
+  const bool isClosed = isClosedAndOriented(points, bench.hierarchy());
+  fmt::print("closed and oriented: {}, found in {:.0f} ms\n", isClosed ? "yes" : "no",
+             1e3 * asking.seconds());
   const std::vector<std::byte> bytes = plyBytes(bench.samples());
   FirstPicture times;
   for (int repetition = 0; repetition < repetitions; ++repetition) openOnce(bench, bytes, times);
