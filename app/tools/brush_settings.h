@@ -15,7 +15,7 @@ enum class SymmetryAxis { kNone, kX, kY, kZ };
 struct BrushSettings {
   BrushKind kind = BrushKind::kPaint;
   std::string attribute = "color";
-  std::vector<double> value = {255, 0, 0};  ///< as Stroke::value
+  std::vector<double> value = {222, 56, 32};  ///< as Stroke::value
 
   RadiusUnit radiusUnit = RadiusUnit::kPixels;
   double radius = 1;     ///< model units, > 0
@@ -27,7 +27,9 @@ struct BrushSettings {
   SymmetryAxis symmetry = SymmetryAxis::kNone;
   Eigen::Vector3d symmetryCenter = Eigen::Vector3d::Zero();  ///< on the plane; file coordinates
 
-  bool onlyVisible = true;  ///< leaves out what the picture hides where the stroke begins
+  /// Leaves out what the picture hides where the stroke begins. Dabs go along the surface and start where it
+  /// is seen; this is for thin parts, whose back they would reach. Such strokes depend on the view.
+  bool onlyVisible = false;
   std::string within = {};  ///< an attribute; only where it is not 0. Empty: everywhere
 };
 

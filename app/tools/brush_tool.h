@@ -37,7 +37,7 @@ struct BrushResponse {
 struct BrushStroke {
   BrushKind kind = BrushKind::kPaint;
   Stroke stroke = {};  ///< the tool is `kind`, or paint where it smooths
-  bool onlyVisible = true;
+  bool onlyVisible = false;
   std::string within = {};
 };
 

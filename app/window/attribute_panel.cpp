@@ -12,6 +12,7 @@
 
 #include "app/window/histogram.h"
 #include "app/window/icons.h"
+#include "app/window/panel_wheel.h"
 #include "app/window/workbench.h"
 
 namespace stipple {
@@ -72,6 +73,8 @@ void AttributePanel::buildColors() {
   auto* column = new QVBoxLayout(colors_);
   column->setContentsMargins(0, 0, 0, 0);
   auto* row = new QHBoxLayout;
+  leaveWheelToPanel(colormap_);
+  leaveWheelToPanel(saturation_);
   int index = 0;
   for (const std::string& name : colormapNames()) colormap_->addItem(colormapTitle(name), index++);
   colormap_->setToolTip(tr("How numbers become colors"));

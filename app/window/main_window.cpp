@@ -8,6 +8,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QScreen>
 #include <QScrollArea>
 #include <QTabBar>
 #include <QToolBar>
@@ -33,7 +34,6 @@ MainWindow::MainWindow(Workbench& workbench, Settings& settings, const Options& 
   setWindowTitle("Stipple");
   setAcceptDrops(true);
   setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks);
-  resize(1280, 800);
   buildCenter(options.viewport);
   buildDocks();
   status_ = new StatusLine(workbench, this);
@@ -49,11 +49,18 @@ MainWindow::MainWindow(Workbench& workbench, Settings& settings, const Options& 
   buildToolBar();
   buildSearch();
   connectParts();
-  restoreGeometry(settings.geometry());
+  if (!restoreGeometry(settings.geometry())) takeFirstSize();
   restoreState(settings.layout());
   refreshTitle();
   refreshTabs();
   refreshActions();
+}
+
+// As large as it is comfortable to work in, and as the screen allows.
+void MainWindow::takeFirstSize() {
+  const QSize room = screen()->availableSize();
+  resize(std::min(1600, room.width() * 9 / 10), std::min(1000, room.height() * 9 / 10));
+  if (room.width() < 1500) setWindowState(Qt::WindowMaximized);
 }
 
 // The viewport goes before the widget that it lies in.
@@ -88,7 +95,7 @@ QDockWidget* MainWindow::addDock(const QString& title, QWidget* content, const c
   scroll->setWidgetResizable(true);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidget(content);
-  scroll->setMinimumWidth(290);
+  scroll->setMinimumWidth(300);
   dock->setWidget(scroll);
   addDockWidget(Qt::RightDockWidgetArea, dock);
   docks_.push_back(dock);

@@ -42,6 +42,7 @@ class MainWindow final : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
+  void takeFirstSize();
   void buildCenter(ViewportKind kind);
   void buildDocks();
   void buildToolBar();

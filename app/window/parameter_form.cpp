@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "app/window/icons.h"
+#include "app/window/panel_wheel.h"
 #include "app/window/number_field.h"
 #include "core/error.h"
 
@@ -130,6 +131,7 @@ QWidget* ParameterForm::makeCheck(const Parameter& parameter) {
 
 QWidget* ParameterForm::makeChoice(const Parameter& parameter, const std::vector<std::string>& attributes) {
   auto* field = new QComboBox(this);
+  leaveWheelToPanel(field);
   field->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   for (const Choice& choice : parameter.choices)
     field->addItem(QString::fromStdString(choice.title), QString::fromStdString(choice.id));

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "app/window/icons.h"
+#include "app/window/panel_wheel.h"
 #include "app/window/parameter_form.h"
 #include "app/window/workbench.h"
 
@@ -42,6 +43,8 @@ ProcessPanel::ProcessPanel(Workbench& workbench, QWidget* parent)
   column->setContentsMargins(10, 6, 10, 10);
   column->setSpacing(8);
   operators_->setObjectName("operators");
+  leaveWheelToPanel(operators_);
+  leaveWheelToPanel(region_);
   for (const auto& held : workbench.registry().operators()) {
     const OperatorDescription& d = held->description();
     operators_->addItem(QString::fromStdString(d.title), QString::fromStdString(d.id));

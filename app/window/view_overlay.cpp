@@ -7,6 +7,7 @@
 #include <QWidget>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "app/tools/inspection_drawing.h"
 #include "app/tools/measure.h"
@@ -26,12 +27,25 @@ std::optional<glm::vec2> onScreen(const View& view, const glm::vec3& place) {
   return view.toPixels(inView);
 }
 
-// The normal of what the picture shows around a pixel, from three picked places.
+// A difference across a pixel, towards the side whose depth is nearer: not across an edge of the surface.
+std::optional<glm::vec3> pickedSlope(const PickAt& pickAt, const glm::vec2& px, const glm::vec2& step,
+                                     const Picked& center) {
+  const auto before = pickAt(px - step), after = pickAt(px + step);
+  const auto jump = [&](const std::optional<Picked>& picked) {
+    return picked ? std::abs(picked->depth - center.depth) : std::numeric_limits<float>::infinity();
+  };
+  if (!before && !after) return {};
+  return jump(after) <= jump(before) ? after->position - center.position : center.position - before->position;
+}
+
+// The normal of what the picture shows around a pixel.
 glm::vec3 pickedNormal(const PickAt& pickAt, const glm::vec2& px, const View& view, const glm::vec3& center) {
   const glm::vec3 towardsEye = glm::normalize(view.eye - center);
-  const auto right = pickAt(px + glm::vec2(4, 0)), down = pickAt(px + glm::vec2(0, 4));
+  const auto here = pickAt(px);
+  if (!here) return towardsEye;
+  const auto right = pickedSlope(pickAt, px, {6, 0}, *here), down = pickedSlope(pickAt, px, {0, 6}, *here);
   if (!right || !down) return towardsEye;
-  const glm::vec3 normal = glm::cross(right->position - center, down->position - center);
+  const glm::vec3 normal = glm::cross(*right, *down);
   const float length = glm::length(normal);
   if (!(length > 0)) return towardsEye;
   const glm::vec3 unit = normal / length;
