@@ -31,6 +31,7 @@ void SpillFile::open() {
 }
 
 SpillFile::Extent SpillFile::write(std::span<const std::byte> bytes) {
+  const std::lock_guard lock(mutex_);
   if (descriptor_ < 0) open();
   const Extent extent{.offset = end_, .size = bytes.size()};
   while (!bytes.empty()) {
@@ -50,6 +51,7 @@ SpillFile::Extent SpillFile::write(std::span<const std::byte> bytes) {
 }
 
 std::vector<std::byte> SpillFile::read(const Extent& extent) const {
+  const std::lock_guard lock(mutex_);
   std::vector<std::byte> bytes(extent.size);
   for (std::size_t done = 0; done < bytes.size();) {
     const ssize_t count = ::pread(descriptor_, bytes.data() + done, bytes.size() - done,
@@ -61,8 +63,14 @@ std::vector<std::byte> SpillFile::read(const Extent& extent) const {
   return bytes;
 }
 
+std::uint64_t SpillFile::bytes() const {
+  const std::lock_guard lock(mutex_);
+  return bytes_;
+}
+
 // Gives the blocks back; where the file system cannot do that they come back at the end.
 void SpillFile::drop(const Extent& extent) {
+  const std::lock_guard lock(mutex_);
   bytes_ -= extent.size;
   if (extent.offset + extent.size == end_) end_ = extent.offset;
   if (bytes_ == 0) end_ = 0;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <mutex>
 #include <span>
 #include <utility>
 #include <vector>
@@ -10,7 +11,7 @@
 namespace stipple {
 
 /// Bytes put aside on the disk. The file has no name, so that the disk has its room back when the program
-/// ends, however it ends.
+/// ends, however it ends. Threads may share it.
 class SpillFile {
  public:
   struct Extent {
@@ -30,13 +31,14 @@ class SpillFile {
   void drop(const Extent& extent);
 
   /// Of all that was written and not dropped.
-  std::uint64_t bytes() const { return bytes_; }
+  std::uint64_t bytes() const;
 
  private:
   [[noreturn]] void fail(int error) const;
   void open();
 
   std::filesystem::path folder_;
+  mutable std::mutex mutex_;
   int descriptor_ = -1;
   std::uint64_t end_ = 0;    // where the next extent begins
   std::uint64_t bytes_ = 0;  // of the extents in use

@@ -137,5 +137,17 @@ TEST(ThreadLimit, HoldsWhileItLives) {
   }
 }
 
+TEST(RunAtLowPriority, RunsLoopsOnTheThreadThatAskedAndPassesFailuresOn) {
+  const std::thread::id asking = std::this_thread::get_id();
+  std::atomic<std::size_t> sum = 0;
+  runAtLowPriority([&] {
+    EXPECT_EQ(std::this_thread::get_id(), asking);
+    parallelFor(1000, 10, [&](std::size_t begin, std::size_t end) { sum += end - begin; });
+  });
+  EXPECT_EQ(sum, 1000u);
+  const auto failing = [] { parallelFor(10, 1, [](std::size_t, std::size_t) { throw InvalidInput("no"); }); };
+  EXPECT_THROW(runAtLowPriority(failing), InvalidInput);
+}
+
 }  // namespace
 }  // namespace stipple
