@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <utility>
 
 #include "render/hierarchy/closedness.h"
 
@@ -208,11 +209,18 @@ bool CutSelection::select(std::vector<Index>& nodes, const Progress* progress) {
       },
       progress);
   if (isTooMuch) return false;
-  nodes.clear();
-  nodes.reserve(count);
-  for (const std::vector<Place>& part : parts) {
-    for (const Place& place : part) nodes.push_back(place.node);
-  }
+  std::vector<std::size_t> begins(parts.size());
+  std::size_t sum = 0;
+  for (std::size_t root = 0; root < parts.size(); ++root)
+    begins[root] = std::exchange(sum, sum + parts[root].size());
+  nodes.resize(sum);
+  parallelFor(
+      parts.size(), 64,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t root = begin; root < end; ++root)
+          std::ranges::transform(parts[root], nodes.data() + begins[root], &Place::node);
+      },
+      progress);
   return true;
 }
 
