@@ -137,11 +137,11 @@ bool CutSelection::opens(Place place, const Splat& splat, const glm::vec3& p) co
   const float radius = std::max(splat.radius, bound / kLoosest);
   // Spheres that reach behind the eye have a finite size too, so that any budget can be kept.
   const float distance = view_.isPerspective() ? std::max(p.z - bound, 1e-4f * bound) : 1;
-  const float size = 2 * radius * view_.focalPx / distance;
-  float threshold = tau_ * spread_[place.node & 1023];
+  const float size = 2 * radius * view_.focalPx;
+  float threshold = tau_ * spread_[place.node & 1023] * distance;
   if (!opened_) return size > threshold;
   std::uint8_t& opened = opened_[place.node - hierarchy_.leafCount()];
-  if (opened == 1) threshold /= kHysteresis;
+  if (opened == 1) threshold *= 1 / kHysteresis;
   if (opened == 0) threshold *= kHysteresis;
   opened = size > threshold;
   return opened == 1;
