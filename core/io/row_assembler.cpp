@@ -11,6 +11,7 @@
 
 #include "core/io/coordinates.h"
 #include "core/io/numbers.h"
+#include "core/large_pages.h"
 #include "core/parallel.h"
 
 namespace stipple {
@@ -119,16 +120,16 @@ struct RowAssembler::State {
 void RowAssembler::State::resize(Index rows) {
   capacity = rows;
   if (wideCoordinates) {
-    coordinates.resize(rows);
+    resizeInLargePages(coordinates, rows);
   } else {
-    positions.resize(rows);
+    resizeInLargePages(positions, rows);
   }
   for (std::size_t a = 0; a < columns.size(); ++a) {
     const PlannedAttribute& attribute = plan.attributes[a];
     if (attribute.type == AttributeType::kColor && attribute.coding != ColorCoding::kBytes) {
       wideColors[a].resize(rows, WideColor(0, 0, 0, -1));
     } else {
-      std::visit([&](auto& column) { column.resize(rows); }, columns[a]);
+      std::visit([&](auto& column) { resizeInLargePages(column, rows); }, columns[a]);
     }
   }
   route();

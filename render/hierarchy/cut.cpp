@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <utility>
 
 #include "render/hierarchy/closedness.h"
 
@@ -136,11 +137,11 @@ bool CutSelection::opens(Place place, const Splat& splat, const glm::vec3& p) co
   const float radius = std::max(splat.radius, bound / kLoosest);
   // Spheres that reach behind the eye have a finite size too, so that any budget can be kept.
   const float distance = view_.isPerspective() ? std::max(p.z - bound, 1e-4f * bound) : 1;
-  const float size = 2 * radius * view_.focalPx / distance;
-  float threshold = tau_ * spread_[place.node & 1023];
+  const float size = 2 * radius * view_.focalPx;
+  float threshold = tau_ * spread_[place.node & 1023] * distance;
   if (!opened_) return size > threshold;
   std::uint8_t& opened = opened_[place.node - hierarchy_.leafCount()];
-  if (opened == 1) threshold /= kHysteresis;
+  if (opened == 1) threshold *= 1 / kHysteresis;
   if (opened == 0) threshold *= kHysteresis;
   opened = size > threshold;
   return opened == 1;
@@ -208,11 +209,18 @@ bool CutSelection::select(std::vector<Index>& nodes, const Progress* progress) {
       },
       progress);
   if (isTooMuch) return false;
-  nodes.clear();
-  nodes.reserve(count);
-  for (const std::vector<Place>& part : parts) {
-    for (const Place& place : part) nodes.push_back(place.node);
-  }
+  std::vector<std::size_t> begins(parts.size());
+  std::size_t sum = 0;
+  for (std::size_t root = 0; root < parts.size(); ++root)
+    begins[root] = std::exchange(sum, sum + parts[root].size());
+  nodes.resize(sum);
+  parallelFor(
+      parts.size(), 64,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t root = begin; root < end; ++root)
+          std::ranges::transform(parts[root], nodes.data() + begins[root], &Place::node);
+      },
+      progress);
   return true;
 }
 

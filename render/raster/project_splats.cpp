@@ -177,8 +177,13 @@ void projectAll(std::span<const Splat> splats, std::span<const Index> nodes, con
                 const Appearance& appearance, std::span<ProjectedSplat> projected,
                 std::span<PixelBox> boxes) {
   const Projector projector(view, appearance);
-  for (std::size_t i = 0; i < nodes.size(); ++i)
+  // Splats lie where the hierarchy has them, several levels apart: they are asked for before it is their
+  // turn.
+  constexpr std::size_t kAhead = 16;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (i + kAhead < nodes.size()) __builtin_prefetch(&splats[nodes[i + kAhead]]);
     boxes[i] = projector.project(splats[nodes[i]], nodes[i], projected[i]);
+  }
 }
 
 }  // namespace stipple::HWY_NAMESPACE

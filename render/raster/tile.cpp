@@ -247,8 +247,14 @@ HWY_INLINE void drawSplats(Tile& tile, std::span<const ProjectedSplat> splats,
   // Lists run roughly from front to back: what is hidden by all that came before is soon passed over.
   constexpr std::size_t kBetweenLooks = 64;
   Occluders occluders;
+  constexpr std::size_t kAhead = 8;
   for (std::size_t n = 0; n < list.size(); ++n) {
     if (n % kBetweenLooks == 0 && n > 0) occluders.look(tile);
+    if (n + kAhead < list.size()) {
+      const ProjectedSplat& ahead = splats[list[n + kAhead]];
+      __builtin_prefetch(&ahead);
+      __builtin_prefetch(&ahead.z);
+    }
     const ProjectedSplat& s = splats[list[n]];
     const Part part = partOf(boxes[list[n]], tile);
     if (occluders.hide(part, s.z - s.radius)) continue;

@@ -33,8 +33,8 @@ std::vector<std::byte> plyBytes(const scenes::SurfaceSamples& samples) {
 }
 
 /// Alpha says how much is selected.
-std::vector<Rgba8> unselected(std::span<const Rgba8> colors) {
-  std::vector<Rgba8> result(colors.size());
+RawVector<Rgba8> unselected(std::span<const Rgba8> colors) {
+  RawVector<Rgba8> result(colors.size());
   parallelFor(colors.size(), 1 << 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) result[i] = {colors[i].r, colors[i].g, colors[i].b, 0};
   });
@@ -56,7 +56,7 @@ void openOnce(Workbench& bench, const std::vector<std::byte>& bytes, FirstPictur
   LeafAttributes leaves;
   leaves.positions = read.points.positions();
   leaves.normals = read.points.values<Eigen::Vector3f>("normal");
-  const std::vector<Rgba8> colors = unselected(read.points.values<Rgba8>("color"));
+  const RawVector<Rgba8> colors = unselected(read.points.values<Rgba8>("color"));
   leaves.colors = colors;
   const Hierarchy hierarchy = buildHierarchy(leaves, LeafOrder::kMorton);
   times.build.add(building);
