@@ -82,14 +82,14 @@ SceneChange DisplayFollower::restyle(const PointSet& points, const Look& look) {
 
 bool DisplayFollower::moved(const PointSet& points) const {
   return positions_ != points.positionColumn().id() || normals_ != columnOf(points, "normal") ||
-      displayNormals_ != columnOf(points, "display_normal");
+         displayNormals_ != columnOf(points, "display_normal");
 }
 
 bool DisplayFollower::shows(const std::string& column) const {
   const ColorSource& colors = look_.colors;
   const std::string shown = colors.attribute.empty() ? "color" : colors.attribute;
   return column == shown || column == colors.saturationBy || column == kSelection || column == look_.glyphs ||
-      column == wanted_.colors.attribute;
+         column == wanted_.colors.attribute;
 }
 
 std::optional<SceneChange> DisplayFollower::follow(const PointSet& points, const DocumentChange& change) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/hierarchy/build.h"
+#include "render/hierarchy/closedness.h"
 #include "render/hierarchy/splat_radii.h"
 
 namespace stipple {
@@ -46,19 +47,22 @@ Extent measureExtent(const PointSet& points) {
   return {{{center.x(), center.y(), center.z()}, 1}, 0.1f};
 }
 
-Hierarchy refineHierarchy(const PointSet& points, std::size_t memoryBudget, const Progress* progress) {
+Hierarchy refineHierarchy(const PointSet& points, std::span<const Rgba8> colors, std::size_t memoryBudget,
+                          const Progress* progress) {
   SurfaceEstimate surface;
   if (points.size() * kFanBytes <= memoryBudget) {
     surface = estimateSurface(points, progress);
   } else {
     surface.normals = normalsOfFile(points);
   }
-  return buildHierarchy({.positions = points.positions(),
-                         .radii = surface.radii,
-                         .areas = surface.areas,
-                         .normals = surface.normals,
-                         .colors = {}},
-                        LeafOrder::kKd, progress);
+  Hierarchy refined = buildHierarchy({.positions = points.positions(),
+                                      .radii = surface.radii,
+                                      .areas = surface.areas,
+                                      .normals = surface.normals,
+                                      .colors = colors},
+                                     LeafOrder::kKd, progress);
+  refined.isClosedAndOriented = isClosedAndOriented(points, refined, progress);
+  return refined;
 }
 
 DisplayedSurface::DisplayedSurface(const PointSet& points, std::span<const Rgba8> colors,
@@ -69,15 +73,20 @@ DisplayedSurface::DisplayedSurface(const PointSet& points, std::span<const Rgba8
       LeafOrder::kMorton, progress);
 }
 
-void DisplayedSurface::adopt(Hierarchy refined) {
-  const std::span<const Splat> old = hierarchy_.splats();
-  const std::span<Splat> splats = refined.editSplats();
-  parallelFor(refined.leafCount(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t slot = begin; slot < end; ++slot)
-      splats[slot].color = old[hierarchy_.slotOfPoint[refined.pointOfSlot[slot]]].color;
-  });
-  refitAll(refined);
+void DisplayedSurface::adopt(Hierarchy refined, const std::optional<std::vector<Index>>& recolored) {
+  const Hierarchy before = std::move(hierarchy_);
   hierarchy_ = std::move(refined);
+  const auto colorOf = [&](Index point) { return before.splats()[before.slotOfPoint[point]].color; };
+  std::vector<Rgba8> colors(recolored ? recolored->size() : before.leafCount());
+  if (recolored) {
+    std::ranges::transform(*recolored, colors.begin(), colorOf);
+    recolor(*recolored, colors);
+    return;
+  }
+  parallelFor(colors.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t point = begin; point < end; ++point) colors[point] = colorOf(static_cast<Index>(point));
+  });
+  recolorAll(colors);
 }
 
 std::vector<NodeRange> DisplayedSurface::recolor(std::span<const Index> rows, std::span<const Rgba8> colors) {
@@ -111,6 +120,7 @@ std::vector<NodeRange> DisplayedSurface::move(const PointSet& points) {
       if (!normals.empty()) turnLeaf(splats[slot], normals[point]);
     }
   });
+  hierarchy_.isClosedAndOriented = false;  // not known any more
   refitAll(hierarchy_);
   return everything(hierarchy_);
 }

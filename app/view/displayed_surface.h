@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,8 +23,9 @@ struct Extent {
 Extent measureExtent(const PointSet& points);
 
 /// A better hierarchy of the same points, made aside: kd order, discs and normals from local fans where that
-/// takes no more memory than `memoryBudget` bytes. Its colors are to be filled in.
-Hierarchy refineHierarchy(const PointSet& points, std::size_t memoryBudget, const Progress* progress);
+/// takes no more memory than `memoryBudget` bytes, and whether the model is closed. `colors` by point.
+Hierarchy refineHierarchy(const PointSet& points, std::span<const Rgba8> colors, std::size_t memoryBudget,
+                          const Progress* progress);
 
 /// The hierarchy of what is shown, which follows the points: colors of some rows, of all, positions. It holds
 /// no column of the point set. Every change ends in a refit, and the ranges that changed are to be uploaded.
@@ -36,8 +38,9 @@ class DisplayedSurface {
   const Hierarchy& hierarchy() const { return hierarchy_; }
   Index size() const { return hierarchy_.leafCount(); }
 
-  /// Puts a better hierarchy of the same points in place, colored as this one.
-  void adopt(Hierarchy refined);
+  /// Puts a better hierarchy of the same points in place. The points `recolored` take their colors from this
+  /// one; nothing: all do.
+  void adopt(Hierarchy refined, const std::optional<std::vector<Index>>& recolored);
   std::vector<NodeRange> recolor(std::span<const Index> rows, std::span<const Rgba8> colors);
   std::vector<NodeRange> recolorAll(std::span<const Rgba8> colors);
   /// Takes positions anew, and normals where the points have them; discs stay as they are.

@@ -40,7 +40,7 @@ void FrameMaker::apply(SceneChange change, std::uint64_t revision, const Progres
     recolor(*recolored);
   } else if (auto* refined = std::get_if<Refined>(&change)) {
     if (refined->surface != surfaceNumber_ || refined->hierarchy.leafCount() != surface_.size()) return;
-    surface_.adopt(std::move(refined->hierarchy));
+    surface_.adopt(std::move(refined->hierarchy), recolored_);
     cutMemory_ = {};
     renderer_->upload(surface_.hierarchy(), {{.begin = 0, .end = surface_.hierarchy().nodeCount()}});
     touchAll();
@@ -56,7 +56,7 @@ void FrameMaker::replaceSurface(NewSurface&& fresh, const Progress* progress) {
   glyphs_ =
       fresh.glyphs.empty() ? std::vector<Glyph>{} : makeGlyphs(fresh.points, fresh.glyphs, {}, progress);
   takeMesh(fresh.points, colors, fresh.asMesh);
-  unrefined_ = Unrefined{.surface = fresh.surface, .points = std::move(fresh.points)};
+  noteUnrefined(fresh.surface, std::move(fresh.points), std::move(fresh.colors));
   renderer_->upload(surface_.hierarchy(), {{.begin = 0, .end = surface_.hierarchy().nodeCount()}});
   touchAll();
 }
@@ -70,13 +70,18 @@ void FrameMaker::restate(Restate&& change) {
   glyphs_ =
       change.glyphs.empty() ? std::vector<Glyph>{} : makeGlyphs(change.points, change.glyphs, {}, nullptr);
   takeMesh(change.points, colors, change.asMesh);
-  if (change.moved) unrefined_ = Unrefined{.surface = change.surface, .points = std::move(change.points)};
+  recolored_.reset();
+  if (change.moved || unrefined_) {
+    noteUnrefined(change.surface, std::move(change.points), std::move(change.colors));
+  }
   renderer_->upload(surface_.hierarchy(), changed);
   touchAll();
 }
 
 void FrameMaker::recolor(const Recolor& change) {
   const std::vector<NodeRange> changed = surface_.recolor(change.rows, change.colors);
+  if (recolored_) recolored_->insert(recolored_->end(), change.rows.begin(), change.rows.end());
+  if (recolored_ && recolored_->size() > surface_.size()) recolored_.reset();
   renderer_->upload(surface_.hierarchy(), changed);
   if (meshPoints_.size() > 0) {
     for (std::size_t i = 0; i < change.rows.size(); ++i) meshColors_[change.rows[i]] = change.colors[i];
@@ -84,6 +89,11 @@ void FrameMaker::recolor(const Recolor& change) {
   }
   if (stage_ == Stage::kStale || stage_ == Stage::kNothing) return;
   touched_.insert(touched_.end(), changed.begin(), changed.end());
+}
+
+void FrameMaker::noteUnrefined(std::uint64_t surface, PointSet points, PointColors colors) {
+  unrefined_ = Unrefined{.surface = surface, .points = std::move(points), .colors = std::move(colors)};
+  recolored_.emplace();
 }
 
 void FrameMaker::takeMesh(const PointSet& points, const std::vector<Rgba8>& colors, bool asMesh) {

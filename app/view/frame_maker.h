@@ -67,6 +67,7 @@ using SceneChange = std::variant<NewSurface, Restate, Recolor, Refined>;
 struct Unrefined {
   std::uint64_t surface = 0;
   PointSet points;
+  PointColors colors;
 };
 
 /// Keeps what is shown and makes pictures of it, piece by piece: something at once and in time while the view
@@ -118,6 +119,7 @@ class FrameMaker {
   bool averagePicture(const Progress* interrupt);
   bool redrawTouched();
   void touchAll();
+  void noteUnrefined(std::uint64_t surface, PointSet points, PointColors colors);
 
   std::unique_ptr<Renderer> renderer_;
   DisplayedSurface surface_;
@@ -131,6 +133,8 @@ class FrameMaker {
   RateControl rate_;
   CutMemory cutMemory_;
   std::optional<Unrefined> unrefined_;
+  // Colored otherwise since the colors that a better hierarchy will come with; none: too many to list.
+  std::optional<std::vector<Index>> recolored_;
   std::vector<NodeRange> touched_;  // recolored since the last picture, where nothing else changed
 
   enum class Stage { kNothing, kStale, kCoarse, kConverged, kAveraged };

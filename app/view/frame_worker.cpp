@@ -119,7 +119,7 @@ void FrameWorker::workOnce() {
     wake_();
   }
   if (auto waiting = maker_.takeUnrefined()) {
-    refiner_.start(waiting->surface, std::move(waiting->points), [this] { ask(); });
+    refiner_.start(std::move(*waiting), [this] { ask(); });
   }
 }
 

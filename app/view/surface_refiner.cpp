@@ -1,6 +1,7 @@
 #include "app/view/surface_refiner.h"
 
 #include <new>
+#include <utility>
 
 namespace stipple {
 
@@ -17,26 +18,29 @@ class UntilStopped final : public Progress {
 
 }  // namespace
 
-void SurfaceRefiner::start(std::uint64_t surface, PointSet points, std::function<void()> wake) {
-  stop();
-  cancelled_ = false;
-  thread_ = std::thread([this, surface, held = std::move(points), wake = std::move(wake)]() mutable {
-    const UntilStopped progress(cancelled_);
-    try {
-      Hierarchy refined = refineHierarchy(held, memoryBudget, &progress);
-      held = {};
-      requests_.post(Refined{.surface = surface, .hierarchy = std::move(refined)}, 0);
-      wake();
-    } catch (const Error&) {
-      // Stopped, or points that nothing can be said about: the picture stays as it is.
-    } catch (const std::bad_alloc&) {
-    }
-  });
+void SurfaceRefiner::start(Unrefined unrefined, std::function<void()> wake) {
+  *stopped_ = true;
+  stopped_ = std::make_shared<std::atomic<bool>>(false);
+  threads_.start(ThreadPriority::kLow,
+                 [this, stopped = stopped_, held = std::move(unrefined), wake = std::move(wake)] {
+                   const UntilStopped progress(*stopped);
+                   try {
+                     const std::vector<Rgba8> colors = held.colors.of(held.points);
+                     Hierarchy refined = refineHierarchy(held.points, colors, memoryBudget, &progress);
+                     progress.throwIfCancelled();
+                     requests_.post(Refined{.surface = held.surface, .hierarchy = std::move(refined)}, 0);
+                     wake();
+                   } catch (const Error&) {
+                     // Stopped, or points that nothing can be said about: the picture stays as it is.
+                   } catch (const std::bad_alloc&) {
+                   }
+                 });
 }
 
 void SurfaceRefiner::stop() {
-  cancelled_ = true;
-  if (thread_.joinable()) thread_.join();
+  *stopped_ = true;
+  while (!threads_.waitForAll(std::chrono::seconds(1))) {
+  }
 }
 
 }  // namespace stipple

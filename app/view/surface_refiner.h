@@ -2,8 +2,10 @@
 
 #include <atomic>
 #include <cstddef>
-#include <thread>
+#include <functional>
+#include <memory>
 
+#include "app/jobs/worker_threads.h"
 #include "app/view/frame_requests.h"
 
 namespace stipple {
@@ -13,9 +15,12 @@ class SurfaceRefiner {
  public:
   explicit SurfaceRefiner(FrameRequests& requests) : requests_(requests) {}
   ~SurfaceRefiner() { stop(); }
+  SurfaceRefiner(const SurfaceRefiner&) = delete;
+  SurfaceRefiner& operator=(const SurfaceRefiner&) = delete;
 
   /// Drops what it was at. `wake` is called after the result was posted.
-  void start(std::uint64_t surface, PointSet points, std::function<void()> wake);
+  void start(Unrefined unrefined, std::function<void()> wake);
+  /// Waits until nothing of it is at work.
   void stop();
 
   /// Bytes that local fans may take; surfaces that need more keep discs from blocks.
@@ -23,8 +28,8 @@ class SurfaceRefiner {
 
  private:
   FrameRequests& requests_;
-  std::atomic<bool> cancelled_ = false;
-  std::thread thread_;
+  WorkerThreads threads_;
+  std::shared_ptr<std::atomic<bool>> stopped_ = std::make_shared<std::atomic<bool>>(false);
 };
 
 }  // namespace stipple

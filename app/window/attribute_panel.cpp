@@ -64,7 +64,8 @@ void AttributePanel::buildList() {
   list_->setFixedHeight(132);
   list_->header()->setStretchLastSection(false);
   list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-  for (const int section : {1, 2, 3}) list_->header()->setSectionResizeMode(section, QHeaderView::ResizeToContents);
+  for (const int section : {1, 2, 3})
+    list_->header()->setSectionResizeMode(section, QHeaderView::ResizeToContents);
   connect(list_, &QTreeWidget::itemClicked, this,
           [this](QTreeWidgetItem* item) { show(item->data(0, Qt::UserRole).toString().toStdString()); });
 }
@@ -109,7 +110,8 @@ void AttributePanel::buildColors() {
     }
   });
   connect(histogram_, &Histogram::valuesMarked, this, [this](double low, double high) {
-    if (const OpenScan* scan = workbench_.current()) emit valuesMarked(scan->look.colors.attribute, low, high);
+    if (const OpenScan* scan = workbench_.current())
+      emit valuesMarked(scan->look.colors.attribute, low, high);
   });
   connect(saturation_, &QComboBox::activated, this, [this, relook](int at) {
     const std::string name = saturation_->itemData(at).toString().toStdString();
@@ -139,7 +141,8 @@ void AttributePanel::refreshList() {
   add(hasColor ? tr("color") : tr("plain"), hasColor ? "color" : "", "");
   for (const Attribute& attribute : scan->document.points().attributes()) {
     if (attribute.name == "color" && attribute.type() == AttributeType::kColor) continue;
-    QTreeWidgetItem* item = add(QString::fromStdString(attribute.name), nameOf(attribute.type()), attribute.name);
+    QTreeWidgetItem* item =
+        add(QString::fromStdString(attribute.name), nameOf(attribute.type()), attribute.name);
     auto* button = new QToolButton(list_);
     button->setIcon(iconOf("close"));
     button->setIconSize({11, 11});
@@ -162,14 +165,16 @@ void AttributePanel::refreshColors() {
   const auto full = rangeOf(scan->document.points(), name);
   colormap_->setCurrentIndex(static_cast<int>(colors.colormap()));
   if (areNumbers)
-    histogram_->show(countValues(*attribute, full.first, full.second, kBins), full, colors.range(), colors.colormap());
+    histogram_->show(countValues(*attribute, full.first, full.second, kBins), full, colors.range(),
+                     colors.colormap());
   summary_->setText(areNumbers ? tr("from %1 to %2").arg(full.first, 0, 'g', 5).arg(full.second, 0, 'g', 5)
                                : tr("labels up to %1").arg(full.second, 0, 'f', 0));
   const QSignalBlocker quiet(saturation_);
   saturation_->clear();
   saturation_->addItem(tr("nothing"), QString());
   for (const Attribute& other : scan->document.points().attributes()) {
-    if (isScalar(other)) saturation_->addItem(QString::fromStdString(other.name), QString::fromStdString(other.name));
+    if (isScalar(other))
+      saturation_->addItem(QString::fromStdString(other.name), QString::fromStdString(other.name));
   }
   saturation_->setCurrentIndex(
       std::max(0, saturation_->findData(QString::fromStdString(scan->look.colors.saturationBy))));

@@ -97,7 +97,9 @@ void GlViewport::drawSurface() {
     requests_.applyTo(*maker_, nullptr);
     if (!maker_->step(nullptr)) return;
     notes_ = maker_->notes();
-    if (pictureChanged) QMetaObject::invokeMethod(this, [this] { pictureChanged(); }, Qt::QueuedConnection);
+    if (pictureChanged)
+      QMetaObject::invokeMethod(
+          this, [this] { pictureChanged(); }, Qt::QueuedConnection);
   } catch (const std::exception& error) {
     if (failed) failed(error.what());
   }
@@ -127,8 +129,9 @@ void GlViewport::paintGL() {
 // The next piece of work comes by itself, when it is due.
 void GlViewport::scheduleNext() {
   if (auto waiting = maker_->takeUnrefined()) {
-    refiner_.start(waiting->surface, std::move(waiting->points), [this] {
-      QMetaObject::invokeMethod(this, [this] { update(); }, Qt::QueuedConnection);
+    refiner_.start(std::move(*waiting), [this] {
+      QMetaObject::invokeMethod(
+          this, [this] { update(); }, Qt::QueuedConnection);
     });
   }
   const auto due = maker_->nextDue();

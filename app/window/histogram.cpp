@@ -33,8 +33,9 @@ std::vector<std::size_t> countValues(const Attribute& attribute, double low, dou
 Histogram::Histogram(QWidget* parent) : QWidget(parent) {
   setMouseTracking(true);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  setToolTip(tr("Drag the ends of the bar to set the range of the colors. Drag over the bins to select points by "
-                "value (Shift adds, Ctrl removes)."));
+  setToolTip(
+      tr("Drag the ends of the bar to set the range of the colors. Drag over the bins to select points by "
+         "value (Shift adds, Ctrl removes)."));
 }
 
 void Histogram::show(std::vector<std::size_t> counts, std::pair<double, double> full,
@@ -81,12 +82,14 @@ void Histogram::paintBins(QPainter& painter) const {
   painter.setBrush(palette().color(QPalette::PlaceholderText));
   for (std::size_t bin = 0; bin < counts_.size() && most > 0; ++bin) {
     const double tall = box.height() * std::sqrt(static_cast<double>(counts_[bin])) / most;
-    painter.drawRect(QRectF(box.left() + step * static_cast<double>(bin), box.bottom() + 1 - tall, step, tall));
+    painter.drawRect(
+        QRectF(box.left() + step * static_cast<double>(bin), box.bottom() + 1 - tall, step, tall));
   }
   if (grip_ != Grip::kMark) return;
   QColor mark = palette().color(QPalette::Highlight);
   mark.setAlpha(110);
-  const double from = xOf(std::min(marked_.first, marked_.second)), to = xOf(std::max(marked_.first, marked_.second));
+  const double from = xOf(std::min(marked_.first, marked_.second)),
+               to = xOf(std::max(marked_.first, marked_.second));
   painter.fillRect(QRectF(from, box.top(), to - from, box.height()), mark);
 }
 

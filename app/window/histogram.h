@@ -13,8 +13,8 @@ namespace stipple {
 /// Counts of the finite values of a scalar attribute in equal bins of [low, high].
 std::vector<std::size_t> countValues(const Attribute& attribute, double low, double high, int bins);
 
-/// Histogram of a scalar attribute over its colormap. Dragging the ends of the bar sets the range; a drag over
-/// the bins marks values.
+/// Histogram of a scalar attribute over its colormap. Dragging the ends of the bar sets the range; a drag
+/// over the bins marks values.
 class Histogram final : public QWidget {
   Q_OBJECT
 

@@ -6,7 +6,8 @@
 
 namespace stipple {
 
-HistoryPanel::HistoryPanel(Workbench& workbench, QWidget* parent) : QListWidget(parent), workbench_(workbench) {
+HistoryPanel::HistoryPanel(Workbench& workbench, QWidget* parent)
+    : QListWidget(parent), workbench_(workbench) {
   setObjectName("history");
   setUniformItemSizes(true);
   connect(&workbench, &Workbench::currentChanged, this, &HistoryPanel::refresh);
@@ -27,7 +28,8 @@ void HistoryPanel::refresh() {
   for (std::size_t at = 0; at < entries; ++at) {
     QListWidgetItem* held = item(static_cast<int>(at));
     held->setText(at == 0 ? tr("Open %1").arg(scan->title) : QString::fromStdString(history.title(at - 1)));
-    held->setForeground(palette().color(at <= history.position() ? QPalette::Text : QPalette::PlaceholderText));
+    held->setForeground(
+        palette().color(at <= history.position() ? QPalette::Text : QPalette::PlaceholderText));
   }
   setCurrentRow(static_cast<int>(history.position()));
   scrollToItem(currentItem());

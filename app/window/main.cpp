@@ -41,11 +41,14 @@ std::optional<Arguments> readArguments(const QStringList& given, int& status) {
     if (word == "--backend" && i + 1 < given.size()) {
       const QString name = given[++i];
       const bool isKnown = name == "auto" || name == "cpu" || name == "gl";
-      arguments.viewport = name == "gl" ? ViewportKind::kGl : name == "cpu" ? ViewportKind::kCpu : ViewportKind::kAuto;
+      arguments.viewport = name == "gl"    ? ViewportKind::kGl
+                           : name == "cpu" ? ViewportKind::kCpu
+                                           : ViewportKind::kAuto;
       if (isKnown) continue;
     }
     if (word.startsWith('-')) {
-      fmt::print(stderr, "stipple: unknown option '{}'; stipple --help tells what there is\n", word.toStdString());
+      fmt::print(stderr, "stipple: unknown option '{}'; stipple --help tells what there is\n",
+                 word.toStdString());
       status = kUsage;
       return {};
     }

@@ -130,7 +130,8 @@ void MainWindow::buildToolBar() {
   for (const char* id : {"tool_orbit", "tool_paint", "tool_erase", "tool_smooth"})
     bar->addAction(commands_->action(id));
   bar->addSeparator();
-  for (const char* id : {"tool_select", "tool_rectangle", "tool_lasso"}) bar->addAction(commands_->action(id));
+  for (const char* id : {"tool_select", "tool_rectangle", "tool_lasso"})
+    bar->addAction(commands_->action(id));
   bar->addSeparator();
   for (const char* id : {"tool_measure", "tool_inspect"}) bar->addAction(commands_->action(id));
   bar->addSeparator();

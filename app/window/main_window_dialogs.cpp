@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QHeaderView>
 #include <QImage>
 #include <QInputDialog>
 #include <QLineEdit>
@@ -12,7 +13,6 @@
 #include <QMessageBox>
 #include <QSaveFile>
 #include <QTableWidget>
-#include <QHeaderView>
 #include <QVBoxLayout>
 
 #include "app/document/recipe.h"
@@ -25,7 +25,8 @@ namespace stipple {
 namespace {
 
 QString pointFileFilter() {
-  return QObject::tr("Point files (*.ply *.obj *.off *.xyz *.txt *.csv *.pts *.ptx *.asc *.sfl);;All files (*)");
+  return QObject::tr(
+      "Point files (*.ply *.obj *.off *.xyz *.txt *.csv *.pts *.ptx *.asc *.sfl);;All files (*)");
 }
 
 }  // namespace
@@ -56,8 +57,9 @@ bool MainWindow::saveAs() {
   const QFileInfo before(QString::fromStdString(scan->document.path().string()));
   const QString folder = scan->isSample ? QDir::homePath() : before.absolutePath();
   const QString proposal = QDir(folder).filePath(before.completeBaseName() + ".ply");
-  QString path = QFileDialog::getSaveFileName(this, tr("Save as"), proposal,
-                                              tr("PLY, keeps everything (*.ply);;OBJ (*.obj);;OFF (*.off);;Text (*.txt *.xyz)"));
+  QString path = QFileDialog::getSaveFileName(
+      this, tr("Save as"), proposal,
+      tr("PLY, keeps everything (*.ply);;OBJ (*.obj);;OFF (*.off);;Text (*.txt *.xyz)"));
   if (path.isEmpty()) return false;
   if (QFileInfo(path).suffix().isEmpty()) path += ".ply";
   workbench_.save(path.toStdString());
@@ -80,20 +82,24 @@ bool MainWindow::mayClose(int index) {
 }
 
 void MainWindow::closeScan(int index) {
-  if (index >= 0 && index < static_cast<int>(workbench_.scans().size()) && mayClose(index)) workbench_.close(index);
+  if (index >= 0 && index < static_cast<int>(workbench_.scans().size()) && mayClose(index))
+    workbench_.close(index);
 }
 
 void MainWindow::saveRecipe() {
   const OpenScan* scan = workbench_.current();
   if (!scan) return;
   const Document::DoneAsRecipe done = scan->document.recipe();
-  QString path = QFileDialog::getSaveFileName(this, tr("Save recipe"), settings_.folder(), tr("Recipe (*.json)"));
+  QString path =
+      QFileDialog::getSaveFileName(this, tr("Save recipe"), settings_.folder(), tr("Recipe (*.json)"));
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += ".json";
   QSaveFile file(path);
   const std::string text = formatRecipe(done.recipe);
-  const bool isWritten = file.open(QIODevice::WriteOnly) &&
-      file.write(text.data(), static_cast<qint64>(text.size())) == static_cast<qint64>(text.size()) && file.commit();
+  const bool isWritten =
+      file.open(QIODevice::WriteOnly) &&
+      file.write(text.data(), static_cast<qint64>(text.size())) == static_cast<qint64>(text.size()) &&
+      file.commit();
   if (!isWritten) return workbench_.say(tr("%1 cannot be written: %2.").arg(path, file.errorString()));
   QString said = tr("The recipe with %n step(s) is saved.", "", static_cast<int>(done.recipe.steps.size()));
   if (done.leftOut > 0) {
@@ -104,7 +110,8 @@ void MainWindow::saveRecipe() {
 }
 
 void MainWindow::playRecipe() {
-  const QString path = QFileDialog::getOpenFileName(this, tr("Play recipe"), settings_.folder(), tr("Recipe (*.json)"));
+  const QString path =
+      QFileDialog::getOpenFileName(this, tr("Play recipe"), settings_.folder(), tr("Recipe (*.json)"));
   if (path.isEmpty()) return;
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly))
@@ -131,8 +138,8 @@ void MainWindow::saveScreenshot() {
 void MainWindow::storeNamedSelection() {
   const OpenScan* scan = workbench_.current();
   bool isGiven = false;
-  const QString name =
-      QInputDialog::getText(this, tr("Name the selection"), tr("Letters, digits and _"), QLineEdit::Normal, {}, &isGiven);
+  const QString name = QInputDialog::getText(this, tr("Name the selection"), tr("Letters, digits and _"),
+                                             QLineEdit::Normal, {}, &isGiven);
   if (!scan || !isGiven) return;
   try {
     workbench_.commit("Name selection " + name.toStdString(),
@@ -146,13 +153,15 @@ void MainWindow::recallNamedSelection() {
   const OpenScan* scan = workbench_.current();
   if (!scan) return;
   QStringList names;
-  for (const std::string& name : storedSelections(scan->document.points())) names << QString::fromStdString(name);
+  for (const std::string& name : storedSelections(scan->document.points()))
+    names << QString::fromStdString(name);
   if (names.isEmpty()) return workbench_.say(tr("This scan has no named selections yet."));
   bool isGiven = false;
   const QString name =
       QInputDialog::getItem(this, tr("Select by name"), tr("Selection"), names, 0, false, &isGiven);
   if (!isGiven) return;
-  workbench_.commit("Select " + name.toStdString(), recallSelection(scan->document.points(), name.toStdString()));
+  workbench_.commit("Select " + name.toStdString(),
+                    recallSelection(scan->document.points(), name.toStdString()));
 }
 
 void MainWindow::focusSearch() {
@@ -181,7 +190,8 @@ void MainWindow::showShortcuts() {
   };
   for (const std::string& id : commands_->ids()) {
     const QAction* action = commands_->action(id);
-    if (!action->shortcut().isEmpty()) add(action->text(), action->shortcut().toString(QKeySequence::NativeText));
+    if (!action->shortcut().isEmpty())
+      add(action->text(), action->shortcut().toString(QKeySequence::NativeText));
   }
   const std::pair<QString, QString> kMouse[] = {
       {tr("Turn the view"), tr("left drag; with a brush Alt+left drag")},
@@ -204,7 +214,8 @@ void MainWindow::showPlugins() {
   for (const auto& held : workbench_.registry().operators()) {
     const OperatorDescription& d = held->description();
     text += QString("<li><b>%1</b>: %2</li>")
-                .arg(QString::fromStdString(d.title).toHtmlEscaped(), QString::fromStdString(d.help).toHtmlEscaped());
+                .arg(QString::fromStdString(d.title).toHtmlEscaped(),
+                     QString::fromStdString(d.help).toHtmlEscaped());
   }
   text += "</ul>";
   for (const std::string& warning : workbench_.pluginWarnings())
@@ -213,11 +224,11 @@ void MainWindow::showPlugins() {
 }
 
 void MainWindow::showAbout() {
-  const QString text =
-      tr("<p><b>Stipple %1</b></p><p>Surface processing by finite elements on points.</p>"
-         "<p>The source is under the MIT license; this program links parts of CGAL and CHOLMOD, and is therefore under "
-         "the GNU General Public License 3.</p>")
-          .arg(QApplication::applicationVersion());
+  const QString text = tr("<p><b>Stipple %1</b></p><p>Surface processing by finite elements on points.</p>"
+                          "<p>The source is under the MIT license; this program links parts of CGAL and "
+                          "CHOLMOD, and is therefore under "
+                          "the GNU General Public License 3.</p>")
+                           .arg(QApplication::applicationVersion());
   QMessageBox(QMessageBox::NoIcon, tr("About Stipple"), text, QMessageBox::Ok, this).exec();
 }
 

@@ -1,8 +1,8 @@
 #include "app/window/number_field.h"
 
 #include <QKeyEvent>
-#include <QLocale>
 #include <QLineEdit>
+#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
@@ -44,7 +44,8 @@ double NumberField::shareOfRange() const {
 }
 
 QString NumberField::text() const {
-  const QString number = range_.isWhole ? QString::number(std::llround(value_)) : QString::number(value_, 'g', 5);
+  const QString number =
+      range_.isWhole ? QString::number(std::llround(value_)) : QString::number(value_, 'g', 5);
   return unit_.isEmpty() ? number : number + ' ' + unit_;
 }
 
@@ -89,7 +90,8 @@ void NumberField::mouseMoveEvent(QMouseEvent* event) {
   if (!isDragging_ && std::abs(moved) < kDragThreshold) return;
   isDragging_ = true;
   const bool isClosed = range_.min && range_.max;
-  double perPixel = (isClosed ? *range_.max - *range_.min : 2 * std::max(std::abs(valueAtPress_), range_.typical)) /
+  double perPixel =
+      (isClosed ? *range_.max - *range_.min : 2 * std::max(std::abs(valueAtPress_), range_.typical)) /
       kDragLength;
   if (event->modifiers() & Qt::ShiftModifier) perPixel /= 10;
   change(valueAtPress_ + moved * perPixel);

@@ -29,9 +29,7 @@ struct OpenScan {
   std::shared_ptr<const SurfaceDistance> distance;
   ColumnId distanceOf = 0;
 
-  bool hasDistance() const {
-    return distance && distanceOf == document.points().positionColumn().id();
-  }
+  bool hasDistance() const { return distance && distanceOf == document.points().positionColumn().id(); }
 };
 
 }  // namespace stipple

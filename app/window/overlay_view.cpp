@@ -61,7 +61,8 @@ std::vector<std::int64_t> labelsOf(const Attribute& attribute, std::int64_t chos
       },
       attribute.column.values());
   std::vector<std::int64_t> labels;
-  for (std::int64_t label = 1; label <= std::min<std::int64_t>(most, kShownLabels); ++label) labels.push_back(label);
+  for (std::int64_t label = 1; label <= std::min<std::int64_t>(most, kShownLabels); ++label)
+    labels.push_back(label);
   return labels;
 }
 
@@ -100,7 +101,8 @@ void OverlayView::showBrush(const BrushSettings& settings, bool isSelecting, con
   brush.maxRadius = isModel ? 0.5f * scan.extent.sphere.radius : 500;
   brush.strength = static_cast<float>(settings.strength);
   brush.spacing = static_cast<float>(settings.spacing);
-  if (settings.symmetry != SymmetryAxis::kNone) brush.symmetry[static_cast<std::size_t>(settings.symmetry) - 1] = true;
+  if (settings.symmetry != SymmetryAxis::kNone)
+    brush.symmetry[static_cast<std::size_t>(settings.symmetry) - 1] = true;
   brush.onlyVisible = settings.onlyVisible;
   brush.onlySelection = !settings.within.empty();
   brush.hasSelection = scan.document.points().has("selection");
@@ -114,10 +116,12 @@ void OverlayView::showPaint(const BrushSettings& settings, const OpenScan& scan)
   BrushModel& brush = *model_.brush;
   const PointSet& points = scan.document.points();
   painted_.push_back("color");
-  if (settings.attribute != "color" && !points.has(settings.attribute)) painted_.push_back(settings.attribute);
+  if (settings.attribute != "color" && !points.has(settings.attribute))
+    painted_.push_back(settings.attribute);
   for (const Attribute& attribute : points.attributes()) {
     const bool isSelection = attribute.name.starts_with("selection");
-    if (attribute.name != "color" && isPaintable(attribute) && !isSelection) painted_.push_back(attribute.name);
+    if (attribute.name != "color" && isPaintable(attribute) && !isSelection)
+      painted_.push_back(attribute.name);
   }
   brush.attributes = painted_;
   brush.attribute = static_cast<int>(std::ranges::find(painted_, settings.attribute) - painted_.begin());
@@ -177,11 +181,12 @@ void OverlayView::showLegend(const OpenScan* scan) {
   model_.legend.reset();
   if (colors.kind() != PointColors::Kind::kNumbers) return;
   const auto [low, high] = colors.range();
-  model_.legend =
-      LegendModel{.attribute = name, .content = ScalarLegend{.colormap = colors.colormap(), .low = low, .high = high}};
+  model_.legend = LegendModel{
+      .attribute = name, .content = ScalarLegend{.colormap = colors.colormap(), .low = low, .high = high}};
 }
 
-void OverlayView::showStatistics(const OpenScan* scan, const std::optional<FrameNotes>& notes, const char* backend) {
+void OverlayView::showStatistics(const OpenScan* scan, const std::optional<FrameNotes>& notes,
+                                 const char* backend) {
   model_.statistics.reset();
   if (!showsStatistics || !scan || !notes) return;
   model_.statistics = StatisticsModel{.frameMilliseconds = frameTimes_,
@@ -216,29 +221,36 @@ OverlayActions OverlayView::draw(const std::vector<ScreenLine>& lines, const std
   return actions;
 }
 
-void applyBrushActions(const BrushActions& actions, const std::vector<std::string>& attributes, const OpenScan& scan,
-                       BrushSettings& settings) {
+void applyBrushActions(const BrushActions& actions, const std::vector<std::string>& attributes,
+                       const OpenScan& scan, BrushSettings& settings) {
   if (actions.attribute && static_cast<std::size_t>(*actions.attribute) < attributes.size()) {
     settings.attribute = attributes[static_cast<std::size_t>(*actions.attribute)];
     const Attribute* attribute = scan.document.points().find(settings.attribute);
-    const bool isColor = attribute ? attribute->type() == AttributeType::kColor : settings.attribute == "color";
-    if (isColor != (settings.value.size() >= 3)) settings.value = isColor ? std::vector<double>{222, 56, 32} : std::vector<double>{1};
+    const bool isColor =
+        attribute ? attribute->type() == AttributeType::kColor : settings.attribute == "color";
+    if (isColor != (settings.value.size() >= 3))
+      settings.value = isColor ? std::vector<double>{222, 56, 32} : std::vector<double>{1};
   }
-  if (actions.color) settings.value = {double(actions.color->r), double(actions.color->g), double(actions.color->b)};
+  if (actions.color)
+    settings.value = {double(actions.color->r), double(actions.color->g), double(actions.color->b)};
   if (actions.label) settings.value = {static_cast<double>(*actions.label)};
   if (actions.addLabel && !settings.value.empty()) {
     const Attribute* attribute = scan.document.points().find(settings.attribute);
-    const auto labels = attribute && isInteger(*attribute) ? labelsOf(*attribute, 3) : std::vector<std::int64_t>{1, 2, 3};
+    const auto labels =
+        attribute && isInteger(*attribute) ? labelsOf(*attribute, 3) : std::vector<std::int64_t>{1, 2, 3};
     settings.value = {static_cast<double>(labels.back() + 1)};
   }
   if (actions.number) settings.value = {*actions.number};
   if (actions.radiusUnit)
-    settings.radiusUnit = *actions.radiusUnit == PanelRadiusUnit::kModel ? RadiusUnit::kModel : RadiusUnit::kPixels;
-  if (actions.radius) (settings.radiusUnit == RadiusUnit::kModel ? settings.radius : settings.radiusPx) = *actions.radius;
+    settings.radiusUnit =
+        *actions.radiusUnit == PanelRadiusUnit::kModel ? RadiusUnit::kModel : RadiusUnit::kPixels;
+  if (actions.radius)
+    (settings.radiusUnit == RadiusUnit::kModel ? settings.radius : settings.radiusPx) = *actions.radius;
   if (actions.strength) settings.strength = std::max(0.01f, *actions.strength);
   if (actions.spacing) settings.spacing = std::max(0.02f, *actions.spacing);
   if (actions.symmetry) {
-    const std::array<bool, 3> before{settings.symmetry == SymmetryAxis::kX, settings.symmetry == SymmetryAxis::kY,
+    const std::array<bool, 3> before{settings.symmetry == SymmetryAxis::kX,
+                                     settings.symmetry == SymmetryAxis::kY,
                                      settings.symmetry == SymmetryAxis::kZ};
     std::array<bool, 3> fresh = *actions.symmetry;
     for (std::size_t axis = 0; axis < 3; ++axis) fresh[axis] = fresh[axis] && !before[axis];

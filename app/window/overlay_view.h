@@ -67,7 +67,7 @@ class OverlayView {
 };
 
 /// What the user chose in the brush panel, put into the settings.
-void applyBrushActions(const BrushActions& actions, const std::vector<std::string>& attributes, const OpenScan& scan,
-                       BrushSettings& settings);
+void applyBrushActions(const BrushActions& actions, const std::vector<std::string>& attributes,
+                       const OpenScan& scan, BrushSettings& settings);
 
 }  // namespace stipple

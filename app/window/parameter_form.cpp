@@ -11,8 +11,8 @@
 #include <cmath>
 
 #include "app/window/icons.h"
-#include "app/window/panel_wheel.h"
 #include "app/window/number_field.h"
+#include "app/window/panel_wheel.h"
 #include "core/error.h"
 
 namespace stipple {
@@ -50,7 +50,8 @@ QString helpOf(const Parameter& parameter) {
 
 }  // namespace
 
-ParameterForm::ParameterForm(Parameters parameters, const std::vector<std::string>& attributes, QWidget* parent)
+ParameterForm::ParameterForm(Parameters parameters, const std::vector<std::string>& attributes,
+                             QWidget* parent)
     : QWidget(parent), parameters_(std::move(parameters)) {
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
@@ -112,7 +113,8 @@ QWidget* ParameterForm::makeField(const Parameter& parameter, const std::vector<
 QWidget* ParameterForm::makeNumber(const Parameter& parameter) {
   const bool isWhole = parameter.type == ParameterType::kInt;
   const double typical = std::max(std::abs(asDouble(parameter.defaultValue)), isWhole ? 10.0 : 1e-3);
-  auto* field = new NumberField({parameter.min, parameter.max, isWhole, typical}, unitText(parameter.unit), this);
+  auto* field =
+      new NumberField({parameter.min, parameter.max, isWhole, typical}, unitText(parameter.unit), this);
   const std::string id = parameter.id;
   connect(field, &NumberField::changed, this, [this, id, isWhole](double value) {
     set(id, isWhole ? ParameterValue(std::int64_t{std::llround(value)}) : ParameterValue(value));
@@ -156,7 +158,8 @@ QWidget* ParameterForm::makeChoice(const Parameter& parameter, const std::vector
 QWidget* ParameterForm::makeText(const Parameter& parameter) {
   auto* field = new QLineEdit(this);
   const std::string id = parameter.id;
-  connect(field, &QLineEdit::editingFinished, this, [this, field, id] { set(id, field->text().toStdString()); });
+  connect(field, &QLineEdit::editingFinished, this,
+          [this, field, id] { set(id, field->text().toStdString()); });
   refresh_[id].push_back([this, field, id] { field->setText(asText(parameters_.value(id))); });
   return field;
 }

@@ -60,7 +60,8 @@ float wheelStepsOf(const QWheelEvent& wheel) {
 }
 
 PointerEvent singlePointEvent(const QSinglePointEvent& event, PointerAction action, double ratio) {
-  PointerEvent made{.action = action, .px = pixelOf(event.position(), ratio), .modifiers = modifiersOf(event.modifiers())};
+  PointerEvent made{
+      .action = action, .px = pixelOf(event.position(), ratio), .modifiers = modifiersOf(event.modifiers())};
   if (action != PointerAction::kMove) made.button = buttonOf(event.button());
   return made;
 }
@@ -71,18 +72,28 @@ OverlayButton overlayButtonOf(PointerButton button) {
 }
 
 std::optional<OverlayKey> overlayKeyOf(int key) {
-  static constexpr std::pair<int, OverlayKey> kKeys[] = {
-      {Qt::Key_Tab, OverlayKey::kTab},           {Qt::Key_Left, OverlayKey::kLeft},
-      {Qt::Key_Right, OverlayKey::kRight},       {Qt::Key_Up, OverlayKey::kUp},
-      {Qt::Key_Down, OverlayKey::kDown},         {Qt::Key_PageUp, OverlayKey::kPageUp},
-      {Qt::Key_PageDown, OverlayKey::kPageDown}, {Qt::Key_Home, OverlayKey::kHome},
-      {Qt::Key_End, OverlayKey::kEnd},           {Qt::Key_Insert, OverlayKey::kInsert},
-      {Qt::Key_Delete, OverlayKey::kDelete},     {Qt::Key_Backspace, OverlayKey::kBackspace},
-      {Qt::Key_Space, OverlayKey::kSpace},       {Qt::Key_Return, OverlayKey::kEnter},
-      {Qt::Key_Enter, OverlayKey::kEnter},       {Qt::Key_Escape, OverlayKey::kEscape},
-      {Qt::Key_A, OverlayKey::kA},               {Qt::Key_C, OverlayKey::kC},
-      {Qt::Key_V, OverlayKey::kV},               {Qt::Key_X, OverlayKey::kX},
-      {Qt::Key_Y, OverlayKey::kY},               {Qt::Key_Z, OverlayKey::kZ}};
+  static constexpr std::pair<int, OverlayKey> kKeys[] = {{Qt::Key_Tab, OverlayKey::kTab},
+                                                         {Qt::Key_Left, OverlayKey::kLeft},
+                                                         {Qt::Key_Right, OverlayKey::kRight},
+                                                         {Qt::Key_Up, OverlayKey::kUp},
+                                                         {Qt::Key_Down, OverlayKey::kDown},
+                                                         {Qt::Key_PageUp, OverlayKey::kPageUp},
+                                                         {Qt::Key_PageDown, OverlayKey::kPageDown},
+                                                         {Qt::Key_Home, OverlayKey::kHome},
+                                                         {Qt::Key_End, OverlayKey::kEnd},
+                                                         {Qt::Key_Insert, OverlayKey::kInsert},
+                                                         {Qt::Key_Delete, OverlayKey::kDelete},
+                                                         {Qt::Key_Backspace, OverlayKey::kBackspace},
+                                                         {Qt::Key_Space, OverlayKey::kSpace},
+                                                         {Qt::Key_Return, OverlayKey::kEnter},
+                                                         {Qt::Key_Enter, OverlayKey::kEnter},
+                                                         {Qt::Key_Escape, OverlayKey::kEscape},
+                                                         {Qt::Key_A, OverlayKey::kA},
+                                                         {Qt::Key_C, OverlayKey::kC},
+                                                         {Qt::Key_V, OverlayKey::kV},
+                                                         {Qt::Key_X, OverlayKey::kX},
+                                                         {Qt::Key_Y, OverlayKey::kY},
+                                                         {Qt::Key_Z, OverlayKey::kZ}};
   for (const auto& [qt, ours] : kKeys) {
     if (qt == key) return ours;
   }
@@ -104,7 +115,7 @@ std::optional<PointerEvent> pointerEventOf(const QEvent& event, double ratio) {
   if (!action) return {};
   PointerEvent made = singlePointEvent(static_cast<const QSinglePointEvent&>(event), *action, ratio);
   const bool isPen = event.type() == QEvent::TabletPress || event.type() == QEvent::TabletMove ||
-      event.type() == QEvent::TabletRelease;
+                     event.type() == QEvent::TabletRelease;
   if (isPen) made.pressure = static_cast<float>(static_cast<const QTabletEvent&>(event).pressure());
   return made;
 }
@@ -116,7 +127,8 @@ void feedOverlay(OverlayContext& overlay, const PointerEvent& event) {
   overlay.moveMouse(event.px);
   if (event.action == PointerAction::kWheel) overlay.turnWheel(event.wheelSteps);
   const bool isDown = event.action == PointerAction::kPress || event.action == PointerAction::kDoubleClick;
-  if (isDown || event.action == PointerAction::kRelease) overlay.setButton(overlayButtonOf(event.button), isDown);
+  if (isDown || event.action == PointerAction::kRelease)
+    overlay.setButton(overlayButtonOf(event.button), isDown);
 }
 
 void feedOverlay(OverlayContext& overlay, const QKeyEvent& event) {

@@ -176,8 +176,10 @@ void ProcessPanel::refreshRegions(const OperatorDescription& d) {
   if (d.region != RegionUse::kMask) region_->addItem(tr("the whole surface"), QString());
   for (const std::string& name : shownAttributes_) {
     const Attribute* attribute = workbench_.current()->document.points().find(name);
-    if (attribute && attribute->type() != AttributeType::kVector3 && attribute->type() != AttributeType::kColor)
-      region_->addItem(tr("where %1 is not 0").arg(QString::fromStdString(name)), QString::fromStdString(name));
+    if (attribute && attribute->type() != AttributeType::kVector3 &&
+        attribute->type() != AttributeType::kColor)
+      region_->addItem(tr("where %1 is not 0").arg(QString::fromStdString(name)),
+                       QString::fromStdString(name));
   }
   region_->setCurrentIndex(std::max(0, region_->findData(before)));
   const bool isUsed = d.region != RegionUse::kNone;

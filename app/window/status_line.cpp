@@ -57,7 +57,8 @@ StatusLine::StatusLine(Workbench& workbench, QWidget* parent)
 
 void StatusLine::refreshPoints() {
   const OpenScan* scan = workbench_.current();
-  points_->setText(scan ? tr("%1 points").arg(countText(scan->document.points().size())) : tr("nothing open"));
+  points_->setText(scan ? tr("%1 points").arg(countText(scan->document.points().size()))
+                        : tr("nothing open"));
   QString text;
   if (scan && scan->document.points().has("selection")) {
     const Index count =

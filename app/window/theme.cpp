@@ -123,8 +123,8 @@ void applyTheme(QApplication& application, Theme theme) {
   application.setPalette(paletteOf(colors));
   QString sheet = QString(kSheet);
   int place = 1;
-  for (const QColor& color : {colors.window, colors.panel, colors.field, colors.fieldHover, colors.border, colors.text,
-                              colors.faintText, colors.accent}) {
+  for (const QColor& color : {colors.window, colors.panel, colors.field, colors.fieldHover, colors.border,
+                              colors.text, colors.faintText, colors.accent}) {
     sheet.replace(QString("%%1").arg(place++), color.name());
   }
   application.setStyleSheet(sheet);

@@ -40,7 +40,9 @@ ViewController::ViewController(Workbench& workbench, std::unique_ptr<Viewport> v
     if (const auto notes = viewport_->notes()) overlayView_.noteFrame(*notes);
     emit pictureChanged();
   };
-  viewport_->failed = [this](const std::string& sentence) { workbench_.say(QString::fromStdString(sentence)); };
+  viewport_->failed = [this](const std::string& sentence) {
+    workbench_.say(QString::fromStdString(sentence));
+  };
   viewport_->widget().installEventFilter(this);
   connect(&workbench, &Workbench::currentChanged, this, &ViewController::showCurrent);
   connect(&workbench, &Workbench::pointsChanged, this, &ViewController::followPoints);
@@ -63,7 +65,8 @@ ViewController::~ViewController() {
 PictureSize ViewController::pictureSize() const {
   const QWidget& widget = viewport_->widget();
   const double ratio = widget.devicePixelRatioF();
-  return {static_cast<int>(std::lround(widget.width() * ratio)), static_cast<int>(std::lround(widget.height() * ratio))};
+  return {static_cast<int>(std::lround(widget.width() * ratio)),
+          static_cast<int>(std::lround(widget.height() * ratio))};
 }
 
 PickAt ViewController::picker() {
@@ -140,7 +143,9 @@ void ViewController::setTool(Tool tool) {
     settings.attribute = kSelection;
     settings.value = {1};
   }
-  settings.kind = tool == Tool::kErase ? BrushKind::kErase : tool == Tool::kSmooth ? BrushKind::kSmooth : BrushKind::kPaint;
+  settings.kind = tool == Tool::kErase    ? BrushKind::kErase
+                  : tool == Tool::kSmooth ? BrushKind::kSmooth
+                                          : BrushKind::kPaint;
   brush_.set(settings);
   if (isBrush()) askForDistance();
   updateCursor();
@@ -206,8 +211,9 @@ void ViewController::setMode(SplatMode mode) {
 
 void ViewController::setTheme(Theme theme) {
   const QColor color = colorsOf(theme).viewport;
-  appearance_.background = Rgba8{static_cast<std::uint8_t>(color.red()), static_cast<std::uint8_t>(color.green()),
-                                 static_cast<std::uint8_t>(color.blue()), 255};
+  appearance_.background =
+      Rgba8{static_cast<std::uint8_t>(color.red()), static_cast<std::uint8_t>(color.green()),
+            static_cast<std::uint8_t>(color.blue()), 255};
   OverlayLook look = overlayContext_.look();
   look.theme = theme == Theme::kDark ? OverlayTheme::kDark : OverlayTheme::kLight;
   overlayContext_.setLook(look);
@@ -301,7 +307,7 @@ void ViewController::beginPainting() {
   }
   const BrushStroke& begun = brush_.stroke();
   Stroke stroke = begun.stroke;
-  stroke.tool = begun.kind == BrushKind::kErase ? StrokeTool::kErase
+  stroke.tool = begun.kind == BrushKind::kErase    ? StrokeTool::kErase
                 : begun.kind == BrushKind::kSmooth ? StrokeTool::kSmooth
                                                    : StrokeTool::kPaint;
   stroke.within = begun.within;
@@ -380,7 +386,8 @@ void ViewController::selectByValue(const std::string& attribute, double low, dou
   if (!scan) return;
   const PointSet& points = scan->document.points();
   const std::vector<Index> rows = findInRange(points, attribute, low, high);
-  workbench_.commit("Select by value", withSelection(points, combine(nothing(points.size()), rows, Combine::kReplace)));
+  workbench_.commit("Select by value",
+                    withSelection(points, combine(nothing(points.size()), rows, Combine::kReplace)));
 }
 
 void ViewController::changeSelection(SelectionChange change) {
@@ -405,7 +412,8 @@ void ViewController::changeSelection(SelectionChange change) {
 }
 
 bool ViewController::handleClickTool(const PointerEvent& event) {
-  if (event.action != PointerAction::kPress || event.button != PointerButton::kLeft || event.modifiers.alt) return false;
+  if (event.action != PointerAction::kPress || event.button != PointerButton::kLeft || event.modifiers.alt)
+    return false;
   const auto picked = viewport_->pickAt(event.px);
   if (!picked) return false;
   if (tool_ == Tool::kMeasure)
@@ -455,7 +463,8 @@ bool ViewController::handleKey(const QKeyEvent& event) {
       frameModel();
     } else if (mouse_) {
       const bool isStrength = event.modifiers().testFlag(Qt::ShiftModifier);
-      brush_.beginAdjusting(isStrength ? BrushAdjustment::kStrength : BrushAdjustment::kRadius, *mouse_, canvas(pickAt));
+      brush_.beginAdjusting(isStrength ? BrushAdjustment::kStrength : BrushAdjustment::kRadius, *mouse_,
+                            canvas(pickAt));
     }
     return true;
   }

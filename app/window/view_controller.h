@@ -92,7 +92,9 @@ class ViewController final : public QObject {
   std::vector<ScreenText> overlayTexts() const;
   PictureSize pictureSize() const;
   PickAt picker();
-  bool isBrush() const { return tool_ == Tool::kPaint || tool_ == Tool::kErase || tool_ == Tool::kSmooth || tool_ == Tool::kSelect; }
+  bool isBrush() const {
+    return tool_ == Tool::kPaint || tool_ == Tool::kErase || tool_ == Tool::kSmooth || tool_ == Tool::kSelect;
+  }
   BrushCanvas canvas(const PickAt& pickAt) const;
   void askForDistance();
   void updateCursor();
@@ -108,8 +110,8 @@ class ViewController final : public QObject {
   Painting painting_;
   std::vector<glm::vec2> outline_;  // of the rectangle (two corners) or lasso that is being drawn
   Modifiers outlineModifiers_;
-  std::vector<Picked> measured_;                 // one or two places
-  std::vector<glm::vec3> measuredPath_;          // along the surface
+  std::vector<Picked> measured_;         // one or two places
+  std::vector<glm::vec3> measuredPath_;  // along the surface
   std::string measuredText_;
   std::optional<Picked> inspected_;
   std::vector<ColoredSegment> inspectedLines_;

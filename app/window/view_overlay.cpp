@@ -178,7 +178,8 @@ const ImDrawData& ViewController::drawOverlay() {
   const OverlayActions actions = overlayView_.draw(overlayLines(), overlayTexts());
   const ImDrawData& drawing = overlayContext_.endFrame();
   // What the user did acts after the picture is painted, not within.
-  QMetaObject::invokeMethod(this, [this, actions] { applyOverlay(actions); }, Qt::QueuedConnection);
+  QMetaObject::invokeMethod(
+      this, [this, actions] { applyOverlay(actions); }, Qt::QueuedConnection);
   if (overlayContext_.hasPendingInput() || overlayView_.isAnimated())
     QTimer::singleShot(30, this, [this] { viewport_->widget().update(); });
   return drawing;
@@ -192,11 +193,12 @@ void ViewController::applyOverlay(const OverlayActions& actions) {
   if (actions.curve.stop) workbench_.stop();
   if (actions.curve.cancel) workbench_.cancel();
   if (actions.cards.dismiss)
-    std::erase_if(overlayView_.cards, [&](const HintCard& card) { return card.id == *actions.cards.dismiss; });
+    std::erase_if(overlayView_.cards,
+                  [&](const HintCard& card) { return card.id == *actions.cards.dismiss; });
   if (actions.cards.start) emit cardStarted(QString::fromStdString(*actions.cards.start));
   if (actions.message.showDetails)
-    QMessageBox(QMessageBox::NoIcon, tr("Details"), QString::fromStdString(overlayView_.details()), QMessageBox::Ok,
-                &viewport_->widget())
+    QMessageBox(QMessageBox::NoIcon, tr("Details"), QString::fromStdString(overlayView_.details()),
+                QMessageBox::Ok, &viewport_->widget())
         .exec();
   if (!scan || !isBrush()) return;
   if (actions.brush.tool) {
@@ -204,8 +206,9 @@ void ViewController::applyOverlay(const OverlayActions& actions) {
     return setTool(kTools[static_cast<int>(*actions.brush.tool)]);
   }
   BrushSettings settings = brush_.settings();
-  settings.symmetryCenter = scan->document.points().origin() +
-      Eigen::Vector3d(scan->extent.sphere.center.x, scan->extent.sphere.center.y, scan->extent.sphere.center.z);
+  settings.symmetryCenter = scan->document.points().origin() + Eigen::Vector3d(scan->extent.sphere.center.x,
+                                                                               scan->extent.sphere.center.y,
+                                                                               scan->extent.sphere.center.z);
   applyBrushActions(actions.brush, overlayView_.paintedAttributes(), *scan, settings);
   const bool isOther = actions.brush.attribute.has_value();
   setBrush(settings);

@@ -48,8 +48,8 @@ class Viewport {
 
 enum class ViewportKind { kAuto, kCpu, kGl };
 
-/// kAuto: `gl` where OpenGL 4.5 runs on hardware, else `cpu`. Where `gl` is asked for and is not to be had, it
-/// is `cpu`, and `complaint` says so.
+/// kAuto: `gl` where OpenGL 4.5 runs on hardware, else `cpu`. Where `gl` is asked for and is not to be had,
+/// it is `cpu`, and `complaint` says so.
 std::unique_ptr<Viewport> makeViewport(ViewportKind kind, QWidget* parent, std::string* complaint);
 
 }  // namespace stipple

@@ -66,8 +66,8 @@ void Workbench::openSample() {
 }
 
 void Workbench::open(const std::filesystem::path& path, bool isSample) {
-  openings_.push_back(std::make_unique<Opening>(
-      Opening{path, isSample, Task<ReadResult>([path](Progress& progress) { return readPoints(path, progress); })}));
+  openings_.push_back(std::make_unique<Opening>(Opening{
+      path, isSample, Task<ReadResult>([path](Progress& progress) { return readPoints(path, progress); })}));
   keepTicking();
   emit taskChanged();
 }
@@ -132,10 +132,11 @@ void Workbench::save(const std::filesystem::path& path) {
     return say(sentenceOf(error));
   }
   const PointSet points = scan->document.points();
-  saving_ = std::make_unique<Saving>(Saving{
-      scan, path, scan->document.revision(), Task<std::vector<std::string>>([points, path](Progress& progress) {
-        return writePoints(path, points, {}, progress);
-      })});
+  saving_ =
+      std::make_unique<Saving>(Saving{scan, path, scan->document.revision(),
+                                      Task<std::vector<std::string>>([points, path](Progress& progress) {
+                                        return writePoints(path, points, {}, progress);
+                                      })});
   keepTicking();
   emit taskChanged();
 }
@@ -157,7 +158,8 @@ void Workbench::followSaving() {
     } else {
       QStringList all;
       for (const std::string& loss : losses) all << QString::fromStdString(loss);
-      say(tr("%1 is written, but cannot hold everything; save as PLY to keep it all.").arg(name), all.join('\n'));
+      say(tr("%1 is written, but cannot hold everything; save as PLY to keep it all.").arg(name),
+          all.join('\n'));
     }
   } catch (const Cancelled&) {
     say(tr("Saving was cancelled; the file is as it was."));
@@ -192,7 +194,8 @@ void Workbench::flipNormals() {
   if (!scan) return;
   PointSet after = scan->document.points();
   const Attribute* normal = after.find("normal");
-  if (!normal || normal->type() != AttributeType::kVector3) return say(tr("These points have no normals to flip."));
+  if (!normal || normal->type() != AttributeType::kVector3)
+    return say(tr("These points have no normals to flip."));
   const Region region = after.has(kSelection) ? regionWhereNotZero(after, kSelection) : Region();
   const std::span<Eigen::Vector3f> normals = after.edit<Eigen::Vector3f>("normal");
   for (Index row = 0; row < after.size(); ++row) {
@@ -207,7 +210,8 @@ void Workbench::deleteSelection() {
   if (processScan() == scan) return say(tr("Points cannot be removed while a process runs on them."));
   const PointSet& before = scan->document.points();
   const std::vector<Index> rows = regionWhereNotZero(before, kSelection).rows(before.size());
-  if (rows.size() == before.size()) return say(tr("All points are selected; deleting them would leave nothing."));
+  if (rows.size() == before.size())
+    return say(tr("All points are selected; deleting them would leave nothing."));
   PointSet after = before;
   after.removeRows(rows);
   after.erase(kSelection);

@@ -11,7 +11,8 @@ namespace stipple {
 namespace {
 
 // All steps, each as an edit of what the one before left.
-std::vector<HistoryEntry> playSteps(const Registry& registry, const Recipe& recipe, PointSet points, Progress& progress) {
+std::vector<HistoryEntry> playSteps(const Registry& registry, const Recipe& recipe, PointSet points,
+                                    Progress& progress) {
   std::vector<HistoryEntry> entries;
   const auto count = static_cast<double>(recipe.steps.size());
   for (const Recipe::Step& step : recipe.steps) {
@@ -43,12 +44,12 @@ void Workbench::run(const Invocation& invocation, bool startsPaused) {
   if (!scan || scan->document.isInStroke()) return;
   if (job_) return say(tr("%1 is still running.").arg(QString::fromStdString(job_->title)));
   try {
-    job_ = std::make_unique<RunningJob>(RunningJob{
-        .scan = scan,
-        .title = makeTitle(invocation.operatorId),
-        .position = scan->document.history().position(),
-        .job = OperatorJob(registry_, invocation, scan->document.points(),
-                           {.startPaused = startsPaused, .threads = threads_})});
+    job_ = std::make_unique<RunningJob>(
+        RunningJob{.scan = scan,
+                   .title = makeTitle(invocation.operatorId),
+                   .position = scan->document.history().position(),
+                   .job = OperatorJob(registry_, invocation, scan->document.points(),
+                                      {.startPaused = startsPaused, .threads = threads_})});
   } catch (const std::exception& error) {
     return say(sentenceOf(error));
   }
@@ -122,7 +123,8 @@ void Workbench::followJob() {
   if (status.state == JobState::kFinished) return commitJob();
   if (status.state == JobState::kFailed) say(QString::fromStdString(status.failure));
   if (status.state == JobState::kFailed || status.state == JobState::kCancelled) return finishJob();
-  if (const auto state = job_->job.takePreview(); state && job_->scan == current()) emit previewChanged(*state);
+  if (const auto state = job_->job.takePreview(); state && job_->scan == current())
+    emit previewChanged(*state);
   emit processChanged();
 }
 

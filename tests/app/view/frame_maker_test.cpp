@@ -105,7 +105,8 @@ TEST_F(MakingFrames, ABetterHierarchyKeepsTheColorsOfNow) {
   auto waiting = maker.takeUnrefined();
   ASSERT_TRUE(waiting);
   EXPECT_FALSE(maker.takeUnrefined()) << "once a surface";
-  Hierarchy refined = refineHierarchy(waiting->points, std::size_t{1} << 30, nullptr);
+  Hierarchy refined =
+      refineHierarchy(waiting->points, waiting->colors.of(waiting->points), std::size_t{1} << 30, nullptr);
   Recolor change{.rows = {3}, .colors = {{1, 2, 3, 0}}};
   maker.apply(change, 2, nullptr);
   maker.apply(Refined{.surface = 1, .hierarchy = std::move(refined)}, 0, nullptr);
@@ -120,7 +121,7 @@ TEST_F(MakingFrames, ABetterHierarchyKeepsTheColorsOfNow) {
 
 TEST_F(MakingFrames, AHierarchyOfAnotherSurfaceIsDropped) {
   maker.apply(surfaceOf(points, 1), 1, nullptr);
-  Hierarchy refined = refineHierarchy(points, std::size_t{1} << 30, nullptr);
+  Hierarchy refined = refineHierarchy(points, {}, std::size_t{1} << 30, nullptr);
   const PointSet others = shownSphere(points.size(), 9);
   maker.apply(surfaceOf(others, 2), 2, nullptr);
   const Splat before = maker.surface().hierarchy().splats()[0];
