@@ -34,17 +34,26 @@ std::vector<NodeRange> everything(const Hierarchy& hierarchy) {
 }  // namespace
 
 Extent measureExtent(const PointSet& points) {
+  const std::span<const Eigen::Vector3f> positions = points.positions();
+  if (positions.empty()) return {};
+  const std::size_t blocks = (positions.size() + kGrain - 1) / kGrain;
+  std::vector<Eigen::AlignedBox3f> boxes(blocks);
+  parallelFor(positions.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) boxes[begin / kGrain].extend(positions[i]);
+  });
   Eigen::AlignedBox3f box;
-  for (const Eigen::Vector3f& p : points.positions()) box.extend(p);
-  if (points.size() == 0) return {};
+  for (const Eigen::AlignedBox3f& part : boxes) box.extend(part);
   const Eigen::Vector3f center = box.center();
-  float squared = 0;
-  for (const Eigen::Vector3f& p : points.positions()) squared = std::max(squared, (p - center).squaredNorm());
-  const float radius = std::sqrt(squared);
+  std::vector<float> farthest(blocks, 0);
+  parallelFor(positions.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      farthest[begin / kGrain] = std::max(farthest[begin / kGrain], (positions[i] - center).squaredNorm());
+  });
+  const float radius = std::sqrt(*std::ranges::max_element(farthest));
+  const glm::vec3 middle(center.x(), center.y(), center.z());
   // As if the points lay on a sphere of that size.
   const float spacing = radius * std::sqrt(4 * 3.14159f / static_cast<float>(points.size()));
-  if (radius > 0) return {{{center.x(), center.y(), center.z()}, radius}, spacing};
-  return {{{center.x(), center.y(), center.z()}, 1}, 0.1f};
+  return radius > 0 ? Extent{{middle, radius}, spacing} : Extent{{middle, 1}, 0.1f};
 }
 
 Hierarchy refineHierarchy(const PointSet& points, std::span<const Rgba8> colors, std::size_t memoryBudget,

@@ -104,7 +104,7 @@ class FrameMaker {
   Renderer& renderer() { return *renderer_; }
 
   /// Milliseconds that a picture may take while something moves.
-  double motionBudget = 33;
+  double motionBudget = 24;
 
  private:
   void replaceSurface(NewSurface&& fresh, const Progress* progress);

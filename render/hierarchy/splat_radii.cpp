@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -176,20 +177,38 @@ std::vector<Eigen::Vector3f> normalsOfTriangles(const PointSet& points) {
 
 }  // namespace
 
+namespace {
+
+// Vectors of length 1, or 0 where they have no direction. Empty where none has.
+std::vector<Eigen::Vector3f> directionsOf(std::span<const Eigen::Vector3f> given) {
+  constexpr std::size_t kGrain = 1 << 15;
+  std::vector<Eigen::Vector3f> directions(given.size());
+  std::atomic<bool> any = false;
+  parallelFor(given.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    bool anyHere = false;
+    for (std::size_t i = begin; i < end; ++i) {
+      // Squares of what is far from 1 leave the range of floats.
+      const float squared = given[i].squaredNorm();
+      const bool isPlain = squared > 1e-20f && squared < 1e20f;
+      const float length = isPlain ? std::sqrt(squared) : given[i].stableNorm();
+      const bool isDirection = length > 0 && std::isfinite(length);
+      directions[i] = isDirection ? Eigen::Vector3f(given[i] / length) : Eigen::Vector3f::Zero();
+      anyHere = anyHere || isDirection;
+    }
+    if (anyHere) any = true;
+  });
+  if (!any) directions.clear();
+  return directions;
+}
+
+}  // namespace
+
 std::vector<Eigen::Vector3f> normalsOfFile(const PointSet& points) {
   for (const char* name : {"display_normal", "normal"}) {
     const Attribute* attribute = points.find(name);
     if (!attribute || attribute->type() != AttributeType::kVector3) continue;
-    const std::span<const Eigen::Vector3f> given = points.values<Eigen::Vector3f>(name);
-    std::vector<Eigen::Vector3f> normals(given.size(), Eigen::Vector3f::Zero());
-    bool any = false;
-    for (std::size_t i = 0; i < given.size(); ++i) {
-      const float length = given[i].stableNorm();
-      if (!(length > 0) || !std::isfinite(length)) continue;
-      normals[i] = given[i] / length;
-      any = true;
-    }
-    if (any) return normals;
+    std::vector<Eigen::Vector3f> normals = directionsOf(points.values<Eigen::Vector3f>(name));
+    if (!normals.empty()) return normals;
   }
   return normalsOfTriangles(points);
 }
