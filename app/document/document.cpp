@@ -16,7 +16,8 @@ void Document::keepJournal(std::unique_ptr<Journal> journal) {
 void Document::commit(std::string title, Edit edit, std::optional<Recipe::Step> recipeStep) {
   if (isInStroke()) throw InvalidInput("the points cannot be changed otherwise while a stroke is painted");
   if (edit.empty()) return;
-  Edit told = edit;
+  // A copy that nobody needs would make applying copy the values.
+  Edit told = keepsJournal() ? edit : Edit();
   edit.apply(points_);
   journal_.did(state(), title, std::move(told), recipeStep);
   log_.add(changeOf(edit));

@@ -167,10 +167,14 @@ std::vector<LostWork> findLostWork(const std::filesystem::path& folder) {
     if (entry.path().extension() != ".journal") continue;
     auto file = JournalFile::open(entry.path());
     if (!file) continue;
-    if (auto work = describe(*file)) {
-      found.push_back(std::move(*work));
-    } else {
-      file->remove();
+    try {
+      if (auto work = describe(*file)) {
+        found.push_back(std::move(*work));
+      } else {
+        file->remove();
+      }
+    } catch (const IoError&) {
+      // What cannot be read now may be readable another time.
     }
   }
   std::ranges::sort(found, std::ranges::greater(), &LostWork::modified);

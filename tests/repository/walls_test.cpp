@@ -46,6 +46,8 @@ TEST(Walls, KeepOursApart) {
   EXPECT_TRUE(broken("core/points/a.h", "tests/support/test_data.h"));
   EXPECT_TRUE(broken("plugins/api/a.h", "tests/support/test_data.h"));
   EXPECT_TRUE(broken("app/cli/a.cpp", "tests/support/test_data.h"));
+  EXPECT_TRUE(broken("app/jobs/a.cpp", "app/plugins/loader.h"));
+  EXPECT_TRUE(broken("app/document/a.cpp", "app/jobs/task.h"));
   EXPECT_TRUE(broken("core/points/a.h", "point_set.h")) << "not from the root";
   EXPECT_FALSE(broken("core/points/a.h", "core/points/point_set.h"));
   EXPECT_FALSE(broken("plugins/fairing/a.h", "core/points/point_set.h"));
@@ -53,6 +55,7 @@ TEST(Walls, KeepOursApart) {
   EXPECT_FALSE(broken("app/cli/a.cpp", "core/points/point_set.h"));
   EXPECT_TRUE(broken("app/panels/a.cpp", "app/document/stroke.h"));
   EXPECT_FALSE(broken("app/panels/a.cpp", "render/appearance/colormap.h"));
+  EXPECT_FALSE(broken("app/jobs/a.h", "app/document/invocation.h"));
   EXPECT_FALSE(broken("tests/core/a_test.cpp", "tests/support/test_data.h"));
 }
 
