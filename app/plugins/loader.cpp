@@ -126,7 +126,23 @@ std::vector<fs::path> pluginFolders() {
   return folders;
 }
 
-LoadedPlugins loadPlugins(const std::vector<fs::path>& folders) {
+namespace {
+
+void takePlugin(LoadedPlugins& loaded, const fs::path& file, PluginSentinel* sentinel) {
+  if (sentinel && sentinel->isOff(file))
+    throw InvalidInput(
+        "it was at work when the program broke down; it can be turned on again under Help, Plugins");
+  const auto watch = sentinel ? sentinel->watch(file) : nullptr;
+  Registry registry = loadPlugin(file);
+  std::vector<std::string> ids;
+  for (const auto& held : registry.operators()) ids.push_back(held->description().id);
+  loaded.registry.merge(std::move(registry));
+  for (const std::string& id : ids) loaded.files[id] = file;
+}
+
+}  // namespace
+
+LoadedPlugins loadPlugins(const std::vector<fs::path>& folders, PluginSentinel* sentinel) {
   LoadedPlugins loaded;
   for (const fs::path& folder : folders) {
     for (const fs::path& file : filesOf(folder)) {
@@ -134,7 +150,7 @@ LoadedPlugins loadPlugins(const std::vector<fs::path>& folders) {
         loaded.warnings.push_back(fmt::format("plugin {} was left out: {}", file.string(), reason));
       };
       try {
-        loaded.registry.merge(loadPlugin(fs::absolute(file)));
+        takePlugin(loaded, fs::absolute(file).lexically_normal(), sentinel);
       } catch (const std::exception& error) {
         leaveOut(error.what());
       } catch (...) {

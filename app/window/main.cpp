@@ -67,10 +67,11 @@ int runWindow(QApplication& application, const Arguments& arguments) {
   const Theme theme = settings.theme().value_or(systemTheme());
   applyTheme(application, theme);
   const bool keepsQuiet = !arguments.files.isEmpty();
-  Workbench workbench(loadPlugins(pluginFolders()),
+  const auto sentinel = std::make_shared<PluginSentinel>(stateFolder());
+  Workbench workbench(loadPlugins(pluginFolders(), sentinel.get()),
                       {.history = {.memoryCap = settings.undoBytes(), .spillFolder = spillFolder()},
                        .journals = journalFolder(),
-                       .keepsQuiet = keepsQuiet});
+                       .sentinel = sentinel});
   MainWindow window(workbench, settings, {.viewport = arguments.viewport, .keepsQuiet = keepsQuiet});
   window.view().setTheme(theme);
   window.show();

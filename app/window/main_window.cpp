@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include "app/window/attribute_panel.h"
+#include "app/window/first_cards.h"
 #include "app/window/history_panel.h"
 #include "app/window/icons.h"
 #include "app/window/process_panel.h"
@@ -54,6 +55,7 @@ MainWindow::MainWindow(Workbench& workbench, Settings& settings, const Options& 
   refreshTitle();
   refreshTabs();
   refreshActions();
+  if (!options.keepsQuiet) offerCards();
 }
 
 // As large as it is comfortable to work in, and as the screen allows.
@@ -184,6 +186,11 @@ void MainWindow::connectParts() {
   connect(view_, &ViewController::toolChanged, this, &MainWindow::refreshActions);
   connect(attributePanel_, &AttributePanel::lookChanged, view_, &ViewController::relook);
   connect(attributePanel_, &AttributePanel::valuesMarked, view_, &ViewController::selectByValue);
+  connect(view_, &ViewController::cardStarted, this, &MainWindow::startCard);
+  connect(&workbench_, &Workbench::opened, this, [this](const QString& path) {
+    settings_.addRecentFile(path);
+    refreshRecent();
+  });
   connect(processPanel_, &ProcessPanel::paintRequested, this, &MainWindow::paintInput);
 }
 
@@ -191,6 +198,41 @@ void MainWindow::connectParts() {
 void MainWindow::paintInput(const PaintableInput& input) {
   view_->paintAttribute(input.attribute, {1});
   if (!input.parameter.empty()) processPanel_->setParameter(input.parameter, input.attribute);
+}
+
+// At an empty start: lost work first, then what there is to try.
+void MainWindow::offerCards() {
+  std::vector<HintCard> cards = firstCards(workbench_.registry());
+  if (const std::vector<LostWork> lost = workbench_.lostWork(); !lost.empty())
+    cards = {recoveryCard(lost.front().base.file.filename().string(), lost.front().entries)};
+  view_->overlay().cards = std::move(cards);
+  view_->viewport().widget().update();
+}
+
+void MainWindow::recoverLatest() {
+  const std::vector<LostWork> lost = workbench_.lostWork();
+  if (lost.empty()) return workbench_.say(tr("There is no unsaved work from a breakdown."));
+  workbench_.recover(lost.front());
+}
+
+void MainWindow::startCard(const QString& id) {
+  view_->overlay().cards.clear();
+  if (id == kRecoveryCard) return recoverLatest();
+  if (id == "segment") {
+    processPanel_->choose("segmentation");
+    view_->paintAttribute("seeds", {1});
+    processPanel_->setParameter("seeds", std::string("seeds"));
+    workbench_.say(tr("Paint on one part, choose another label, paint on another part, then press Run."));
+  } else if (id == "creases" || id == "zebra") {
+    processPanel_->choose(id == "zebra" ? "texture_synthesis" : "classifier");
+    processPanel_->start();
+  } else if (id == "repair") {
+    processPanel_->choose("inpainting");
+    workbench_.say(tr("Paint over what is to be repaired, then press Run."));
+    view_->paintAttribute("mask", {1});
+  } else {
+    view_->paintAttribute("color", {222, 56, 32});
+  }
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -35,6 +35,8 @@ class MainWindow final : public QMainWindow {
 
   ViewController& view() { return *view_; }
   Commands& commands() { return *commands_; }
+  AttributePanel& attributes() { return *attributePanel_; }
+  ProcessPanel& processes() { return *processPanel_; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -79,6 +81,9 @@ class MainWindow final : public QMainWindow {
   void refreshActions();
   void refreshRecent();
   void paintInput(const PaintableInput& input);
+  void offerCards();
+  void startCard(const QString& id);
+  void recoverLatest();
 
   Workbench& workbench_;
   Settings& settings_;

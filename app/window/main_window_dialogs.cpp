@@ -11,6 +11,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QSaveFile>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -220,7 +221,13 @@ void MainWindow::showPlugins() {
   text += "</ul>";
   for (const std::string& warning : workbench_.pluginWarnings())
     text += QString("<p>%1</p>").arg(QString::fromStdString(warning).toHtmlEscaped());
-  QMessageBox(QMessageBox::NoIcon, tr("Plugins"), text, QMessageBox::Ok, this).exec();
+  QMessageBox box(QMessageBox::NoIcon, tr("Plugins"), text, QMessageBox::Ok, this);
+  PluginSentinel* sentinel = workbench_.sentinel();
+  QAbstractButton* turnOn = nullptr;
+  if (sentinel && !sentinel->off().empty())
+    turnOn = box.addButton(tr("Turn on again at the next start"), QMessageBox::ActionRole);
+  box.exec();
+  if (turnOn && box.clickedButton() == turnOn) sentinel->turnOnAll();
 }
 
 void MainWindow::showAbout() {

@@ -17,6 +17,8 @@ struct OpenScan {
   OpenScan(PointSet points, std::filesystem::path path, const HistoryOptions& history)
       : document(std::move(points), std::move(path), history), extent(measureExtent(document.points())) {}
 
+  explicit OpenScan(Document held) : document(std::move(held)), extent(measureExtent(document.points())) {}
+
   Document document;
   QString title;
   bool isSample = false;  ///< saving asks where to

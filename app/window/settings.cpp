@@ -82,4 +82,8 @@ std::filesystem::path journalFolder() {
   return under(QStandardPaths::AppLocalDataLocation, "journals");
 }
 
+std::filesystem::path stateFolder() {
+  return under(QStandardPaths::AppLocalDataLocation, "state");
+}
+
 }  // namespace stipple

@@ -26,8 +26,9 @@ class Settings {
   void setFolder(const QString& folder);
 };
 
-/// Folders of the user for what Stipple keeps: undo steps that left memory, journals.
+/// Folders of the user for what Stipple keeps: undo steps that left memory, journals, which plugins are off.
 std::filesystem::path spillFolder();
 std::filesystem::path journalFolder();
+std::filesystem::path stateFolder();
 
 }  // namespace stipple

@@ -14,6 +14,11 @@ struct Workbench::Opening {
   Task<ReadResult> task;
 };
 
+struct Workbench::Recovering {
+  LostWork work;
+  Task<std::shared_ptr<Document>> task;
+};
+
 struct Workbench::Saving {
   OpenScan* scan;
   std::filesystem::path path;
@@ -38,6 +43,7 @@ struct Workbench::RunningJob {
   std::string title;
   std::size_t position;  ///< in the history when it was started
   OperatorJob job;
+  std::unique_ptr<PluginSentinel::Watch> watch = {};
   std::vector<double> curve = {};
 };
 

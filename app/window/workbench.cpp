@@ -9,6 +9,7 @@
 #include <chrono>
 #include <thread>
 
+#include "app/document/recovery.h"
 #include "app/tools/selection.h"
 #include "app/window/sentence.h"
 #include "app/window/work_in_progress.h"
@@ -30,6 +31,7 @@ std::filesystem::path sampleFile() {
 Workbench::Workbench(LoadedPlugins plugins, Options options)
     : registry_(std::make_shared<const Registry>(std::move(plugins.registry))),
       pluginWarnings_(std::move(plugins.warnings)),
+      pluginFiles_(std::move(plugins.files)),
       options_(std::move(options)) {
   timer_.setInterval(kTick);
   connect(&timer_, &QTimer::timeout, this, &Workbench::tick);
@@ -38,6 +40,7 @@ Workbench::Workbench(LoadedPlugins plugins, Options options)
 // Plugins may still be at work for a moment.
 Workbench::~Workbench() {
   openings_.clear();
+  recovering_.reset();
   saving_.reset();
   preparing_.reset();
   playing_.reset();
@@ -56,7 +59,7 @@ void Workbench::setCurrent(int index) {
 }
 
 void Workbench::keepTicking() {
-  const bool isBusy = !openings_.empty() || saving_ || preparing_ || playing_ || job_;
+  const bool isBusy = !openings_.empty() || recovering_ || saving_ || preparing_ || playing_ || job_;
   if (isBusy && !timer_.isActive()) timer_.start();
   if (!isBusy) timer_.stop();
 }
@@ -74,19 +77,71 @@ void Workbench::open(const std::filesystem::path& path, bool isSample) {
 
 void Workbench::addScan(ReadResult read, const std::filesystem::path& path, bool isSample) {
   auto scan = std::make_unique<OpenScan>(std::move(read.points), path, options_.history);
-  scan->title = QString::fromStdString(path.filename().string());
   scan->isSample = isSample;
-  scan->camera = OrbitCamera(UpAxis::kZ);
-  scan->camera.frame(scan->extent.sphere);
-  scans_.push_back(std::move(scan));
-  current_ = static_cast<int>(scans_.size()) - 1;
-  emit scansChanged();
-  emit currentChanged();
+  keepJournal(*scan);
+  showScan(std::move(scan));
   if (!read.warnings.empty()) {
     QStringList all;
     for (const std::string& warning : read.warnings) all << QString::fromStdString(warning);
     say(all.front(), all.join('\n'));
   }
+}
+
+void Workbench::showScan(std::unique_ptr<OpenScan> scan) {
+  scan->title = QString::fromStdString(scan->document.path().filename().string());
+  scan->camera.frame(scan->extent.sphere);
+  scans_.push_back(std::move(scan));
+  current_ = static_cast<int>(scans_.size()) - 1;
+  emit scansChanged();
+  emit currentChanged();
+}
+
+void Workbench::keepJournal(OpenScan& scan) {
+  if (options_.journals.empty() || scan.document.keepsJournal()) return;
+  try {
+    scan.document.keepJournal(
+        std::make_unique<Journal>(options_.journals, describeBase(scan.document.path())));
+  } catch (const std::exception& error) {
+    say(tr("Changes are not kept safe from a breakdown: %1").arg(sentenceOf(error)));
+  }
+}
+
+std::vector<LostWork> Workbench::lostWork() const {
+  if (options_.journals.empty()) return {};
+  try {
+    return findLostWork(options_.journals);
+  } catch (const std::exception&) {
+    return {};  // a folder that cannot be read holds nothing for us
+  }
+}
+
+void Workbench::recover(const LostWork& work) {
+  if (recovering_) return;
+  recovering_ = std::make_unique<Recovering>(
+      Recovering{.work = work,
+                 .task = Task<std::shared_ptr<Document>>(
+                     [work, registry = registry_, history = options_.history](Progress& progress) {
+                       return std::make_shared<Document>(recoverDocument(work, *registry, progress, history));
+                     },
+                     {.threads = threads_})});
+  keepTicking();
+  emit taskChanged();
+}
+
+void Workbench::followRecovering() {
+  if (!recovering_ || !recovering_->task.isDone()) return;
+  const std::unique_ptr<Recovering> done = std::move(recovering_);
+  try {
+    const std::shared_ptr<Document> document = done->task.takeResult();
+    auto scan = std::make_unique<OpenScan>(std::move(*document));
+    scan->isSample = scan->document.path() == sampleFile();
+    showScan(std::move(scan));
+    say(tr("The work on %1 is back, with its history.").arg(current()->title));
+  } catch (const Cancelled&) {
+  } catch (const std::exception& error) {
+    say(sentenceOf(error));
+  }
+  emit taskChanged();
 }
 
 void Workbench::followOpening() {
@@ -299,6 +354,7 @@ std::optional<TaskStatus> Workbench::task() const {
   };
   if (!openings_.empty())
     return named(openings_.front()->task.status(), "reading " + openings_.front()->path.filename().string());
+  if (recovering_) return named(recovering_->task.status(), "bringing the work back");
   if (saving_) return named(saving_->task.status(), "saving " + saving_->path.filename().string());
   if (playing_) return playing_->task.status();
   if (preparing_) return named(preparing_->task.status(), "preparing the brush");
@@ -308,6 +364,8 @@ std::optional<TaskStatus> Workbench::task() const {
 void Workbench::cancelTask() {
   if (!openings_.empty())
     openings_.front()->task.cancel();
+  else if (recovering_)
+    recovering_->task.cancel();
   else if (saving_)
     saving_->task.cancel();
   else if (playing_)
@@ -318,6 +376,7 @@ void Workbench::cancelTask() {
 
 void Workbench::tick() {
   followOpening();
+  followRecovering();
   followSaving();
   followPreparing();
   followPlaying();

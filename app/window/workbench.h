@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/document/invocation.h"
+#include "app/document/journal.h"
 #include "app/document/stroke.h"
 #include "app/jobs/task_progress.h"
 #include "app/jobs/worker_threads.h"
@@ -26,14 +27,15 @@ class Workbench final : public QObject {
  public:
   struct Options {
     HistoryOptions history;
-    std::filesystem::path journals;  ///< empty: none are kept
-    bool keepsQuiet = false;         ///< no recovery, as files were named on the command line
+    std::filesystem::path journals;                 ///< empty: none are kept
+    std::shared_ptr<PluginSentinel> sentinel = {};  ///< watches plugins at work
   };
 
   Workbench(LoadedPlugins plugins, Options options);
   ~Workbench() override;
 
   const Registry& registry() const { return *registry_; }
+  PluginSentinel* sentinel() const { return options_.sentinel.get(); }
   const std::vector<std::string>& pluginWarnings() const { return pluginWarnings_; }
 
   // Scans
@@ -44,6 +46,10 @@ class Workbench final : public QObject {
   /// Reads on a worker; the scan appears when it is there.
   void open(const std::filesystem::path& path, bool isSample = false);
   void openSample();
+  /// What programs that broke down left behind, latest first.
+  std::vector<LostWork> lostWork() const;
+  /// Reads and replays on a worker; the scan appears with its history when it is there.
+  void recover(const LostWork& work);
   void close(int index);
   void closeAll();
   /// Writes on a worker.
@@ -109,6 +115,7 @@ class Workbench final : public QObject {
 
  private:
   struct Opening;
+  struct Recovering;
   struct Saving;
   struct Preparing;
   struct Playing;
@@ -116,6 +123,7 @@ class Workbench final : public QObject {
 
   void tick();
   void followOpening();
+  void followRecovering();
   void followSaving();
   void followPreparing();
   void followPlaying();
@@ -124,18 +132,23 @@ class Workbench final : public QObject {
   void commitJob();
   void showResult(OpenScan& scan, const std::string& operatorId);
   std::string makeTitle(const std::string& operatorId) const;
+  std::unique_ptr<PluginSentinel::Watch> watchPlugin(const std::string& operatorId) const;
   void takeMessages();
   void keepTicking();
   bool refuseAcrossProcess(std::size_t position);
   void addScan(ReadResult read, const std::filesystem::path& path, bool isSample);
+  void showScan(std::unique_ptr<OpenScan> scan);
+  void keepJournal(OpenScan& scan);
 
   std::shared_ptr<const Registry> registry_;
   std::vector<std::string> pluginWarnings_;
+  std::map<std::string, std::filesystem::path> pluginFiles_;  // of operators
   Options options_;
   WorkerThreads threads_;
   std::vector<std::unique_ptr<OpenScan>> scans_;
   int current_ = -1;
   std::vector<std::unique_ptr<Opening>> openings_;
+  std::unique_ptr<Recovering> recovering_;
   std::unique_ptr<Saving> saving_;
   std::unique_ptr<Preparing> preparing_;
   std::unique_ptr<Playing> playing_;

@@ -49,12 +49,19 @@ void Workbench::run(const Invocation& invocation, bool startsPaused) {
                    .title = makeTitle(invocation.operatorId),
                    .position = scan->document.history().position(),
                    .job = OperatorJob(registry_, invocation, scan->document.points(),
-                                      {.startPaused = startsPaused, .threads = threads_})});
+                                      {.startPaused = startsPaused, .threads = threads_}),
+                   .watch = watchPlugin(invocation.operatorId)});
   } catch (const std::exception& error) {
     return say(sentenceOf(error));
   }
   keepTicking();
   emit processChanged();
+}
+
+std::unique_ptr<PluginSentinel::Watch> Workbench::watchPlugin(const std::string& operatorId) const {
+  const auto file = pluginFiles_.find(operatorId);
+  if (!options_.sentinel || file == pluginFiles_.end()) return nullptr;
+  return options_.sentinel->watch(file->second);
 }
 
 std::string Workbench::makeTitle(const std::string& operatorId) const {
