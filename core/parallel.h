@@ -24,8 +24,8 @@ void parallelFor(std::size_t count, std::size_t grain,
 double parallelSum(std::size_t count, std::size_t grain,
                    const std::function<double(std::size_t begin, std::size_t end)>& body);
 
-/// Calls `body`, whose parallel loops leave threads to those that others run meanwhile. The calling thread keeps
-/// the priority that it has.
+/// Calls `body`, whose parallel loops leave threads to those that others run meanwhile. The calling thread
+/// keeps the priority that it has.
 void runAtLowPriority(const std::function<void()>& body);
 
 /// While it lives, parallel loops use at most `threads` threads (0 = all cores).
