@@ -50,6 +50,7 @@ AttributePanel::AttributePanel(Workbench& workbench, QWidget* parent)
   column->addWidget(list_);
   buildColors();
   column->addWidget(colors_);
+  column->addStretch(1);
   connect(&workbench, &Workbench::pointsChanged, this, &AttributePanel::refresh);
   connect(&workbench, &Workbench::currentChanged, this, &AttributePanel::refresh);
   refresh();

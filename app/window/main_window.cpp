@@ -153,7 +153,12 @@ void MainWindow::buildSearch() {
   completer->setCaseSensitivity(Qt::CaseInsensitive);
   completer->setFilterMode(Qt::MatchContains);
   search_->setCompleter(completer);
-  menuBar()->setCornerWidget(search_, Qt::TopRightCorner);
+  // The menu bar goes by the size hint of its corner.
+  auto* corner = new QWidget(this);
+  auto* row = new QHBoxLayout(corner);
+  row->setContentsMargins(0, 2, 6, 2);
+  row->addWidget(search_);
+  menuBar()->setCornerWidget(corner, Qt::TopRightCorner);
   const auto trigger = [this](const QString& title) {
     for (const std::string& id : commands_->ids()) {
       QAction* action = commands_->action(id);

@@ -43,11 +43,12 @@ QLineEdit, QComboBox, QAbstractSpinBox, QPlainTextEdit, QTextBrowser {
   selection-color: #1a1a1a; }
 QLineEdit:focus, QComboBox:focus, QAbstractSpinBox:focus { border: 1px solid %8; }
 QComboBox::drop-down { border: none; width: 20px; }
+QComboBox::down-arrow { image: url(:/icons/gray_down.svg); width: 13px; height: 13px; }
 QComboBox QAbstractItemView { background: %2; color: %6; border: 1px solid %5; selection-background-color: %8;
   selection-color: #1a1a1a; outline: none; }
 QCheckBox { color: %6; spacing: 7px; }
 QCheckBox::indicator { width: 15px; height: 15px; border: 1px solid %5; border-radius: 4px; background: %3; }
-QCheckBox::indicator:checked { background: %8; border: 1px solid %8; }
+QCheckBox::indicator:checked { background: %8; border: 1px solid %8; image: url(:/icons/dark_check.svg); }
 QListWidget, QTreeWidget, QTableWidget { background: %2; color: %6; border: none; outline: none; }
 QListWidget::item, QTreeWidget::item { padding: 3px 6px; border-radius: 4px; }
 QListWidget::item:selected, QTreeWidget::item:selected { background: %4; color: %6; }
@@ -62,7 +63,8 @@ QProgressBar { background: %3; border: none; border-radius: 3px; max-height: 6px
 QProgressBar::chunk { background: %8; border-radius: 3px; }
 QTabBar::tab { background: %1; color: %7; padding: 6px 14px; border: none; }
 QTabBar::tab:selected { background: %2; color: %6; border-bottom: 2px solid %8; }
-QTabBar::close-button { subcontrol-position: right; }
+QTabBar::close-button { subcontrol-position: right; image: url(:/icons/gray_close.svg); }
+QTabBar::close-button:hover { background: %4; border-radius: 4px; }
 QScrollBar:vertical { background: transparent; width: 9px; margin: 0; }
 QScrollBar::handle:vertical { background: %5; border-radius: 4px; min-height: 24px; }
 QScrollBar:horizontal { background: transparent; height: 9px; margin: 0; }
@@ -88,6 +90,7 @@ QPalette paletteOf(const ThemeColors& colors) {
   palette.setColor(QPalette::Highlight, colors.accent);
   palette.setColor(QPalette::HighlightedText, QColor(26, 26, 26));
   palette.setColor(QPalette::Link, colors.accent);
+  palette.setColor(QPalette::Mid, colors.border);
   for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
     palette.setColor(QPalette::Disabled, role, colors.faintText);
   return palette;

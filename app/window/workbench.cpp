@@ -90,10 +90,18 @@ void Workbench::addScan(ReadResult read, const std::filesystem::path& path, bool
 void Workbench::showScan(std::unique_ptr<OpenScan> scan) {
   scan->title = QString::fromStdString(scan->document.path().filename().string());
   scan->camera.frame(scan->extent.sphere);
+  // A sample that nobody has touched gives way.
+  const bool onlySample = scans_.size() == 1 && scans_[0]->isSample && scans_[0]->document.history().size() == 0;
+  if (onlySample && !isBusyWith(*scans_[0])) scans_.clear();
   scans_.push_back(std::move(scan));
   current_ = static_cast<int>(scans_.size()) - 1;
   emit scansChanged();
   emit currentChanged();
+}
+
+bool Workbench::isBusyWith(const OpenScan& scan) const {
+  return (job_ && job_->scan == &scan) || (saving_ && saving_->scan == &scan) ||
+      (playing_ && playing_->scan == &scan) || (preparing_ && preparing_->scan == &scan);
 }
 
 void Workbench::keepJournal(OpenScan& scan) {

@@ -139,6 +139,7 @@ class Workbench final : public QObject {
   void addScan(ReadResult read, const std::filesystem::path& path, bool isSample);
   void showScan(std::unique_ptr<OpenScan> scan);
   void keepJournal(OpenScan& scan);
+  bool isBusyWith(const OpenScan& scan) const;
 
   std::shared_ptr<const Registry> registry_;
   std::vector<std::string> pluginWarnings_;
