@@ -97,7 +97,7 @@ QDockWidget* MainWindow::addDock(const QString& title, QWidget* content, const c
   scroll->setWidgetResizable(true);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidget(content);
-  scroll->setMinimumWidth(300);
+  scroll->setMinimumWidth(330);
   dock->setWidget(scroll);
   addDockWidget(Qt::RightDockWidgetArea, dock);
   docks_.push_back(dock);

@@ -50,6 +50,7 @@ ViewController::ViewController(Workbench& workbench, std::unique_ptr<Viewport> v
   connect(&workbench, &Workbench::previewChanged, this, &ViewController::followPreview);
   connect(&workbench, &Workbench::previewEnded, this, &ViewController::relook);
   connect(&workbench, &Workbench::processChanged, &viewport_->widget(), qOverload<>(&QWidget::update));
+  connect(&workbench, &Workbench::distanceReady, this, &ViewController::measureAgain);
   connect(&workbench, &Workbench::said, this, [this](const QString& sentence, const QString& details) {
     overlayView_.say(sentence.toStdString(), details.toStdString());
     viewport_->widget().update();

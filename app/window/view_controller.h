@@ -79,6 +79,7 @@ class ViewController final : public QObject {
   void selectOutline();
   void inspectAt(const Picked& picked);
   void measureTo(const Picked& picked);
+  void measureAgain();
   void forgetPlaces();
   void navigate(const PointerEvent& event);
   void showCurrent();
