@@ -55,6 +55,8 @@ ViewController::ViewController(Workbench& workbench, std::unique_ptr<Viewport> v
     overlayView_.say(sentence.toStdString(), details.toStdString());
     viewport_->widget().update();
   });
+  paintSettings_.radiusPx *= viewport_->widget().devicePixelRatioF();
+  brush_.set(paintSettings_);
   overlayClock_.start();
 }
 
@@ -137,6 +139,7 @@ void ViewController::relook() {
 void ViewController::setTool(Tool tool) {
   if (painting_.isActive()) return;
   if (tool != tool_) forgetPlaces();
+  if (tool != Tool::kOrbit) overlayView_.cards.clear();
   tool_ = tool;
   outline_.clear();
   BrushSettings settings = paintSettings_;
