@@ -97,7 +97,8 @@ void Workbench::showScan(std::unique_ptr<OpenScan> scan) {
   scan->camera.setUpAxis(likelyUpAxis(scan->document.points()));
   scan->camera.frame(scan->extent.sphere);
   // A sample that nobody has touched gives way.
-  const bool onlySample = scans_.size() == 1 && scans_[0]->isSample && scans_[0]->document.history().size() == 0;
+  const bool onlySample =
+      scans_.size() == 1 && scans_[0]->isSample && scans_[0]->document.history().size() == 0;
   if (onlySample && !isBusyWith(*scans_[0])) scans_.clear();
   scans_.push_back(std::move(scan));
   current_ = static_cast<int>(scans_.size()) - 1;
@@ -107,7 +108,7 @@ void Workbench::showScan(std::unique_ptr<OpenScan> scan) {
 
 bool Workbench::isBusyWith(const OpenScan& scan) const {
   return (job_ && job_->scan == &scan) || (saving_ && saving_->scan == &scan) ||
-      (playing_ && playing_->scan == &scan) || (preparing_ && preparing_->scan == &scan);
+         (playing_ && playing_->scan == &scan) || (preparing_ && preparing_->scan == &scan);
 }
 
 void Workbench::keepJournal(OpenScan& scan) {
