@@ -44,6 +44,7 @@ ViewController::ViewController(Workbench& workbench, std::unique_ptr<Viewport> v
     workbench_.say(QString::fromStdString(sentence));
   };
   viewport_->widget().installEventFilter(this);
+  connect(&workbench, &Workbench::leavingCurrent, this, &ViewController::endStroke);
   connect(&workbench, &Workbench::currentChanged, this, &ViewController::showCurrent);
   connect(&workbench, &Workbench::pointsChanged, this, &ViewController::followPoints);
   connect(&workbench, &Workbench::pointsTouched, this, &ViewController::followPoints);
@@ -96,6 +97,7 @@ void ViewController::showCurrent() {
   viewport_->post(scan->follower.show(scan->document.points(), scan->look), scan->document.revision());
   scan->shownRevision = scan->document.revision();
   postView();
+  if (isBrush()) askForDistance();
 }
 
 void ViewController::followPoints() {
@@ -113,6 +115,7 @@ void ViewController::followPoints() {
   if (areOthers) {
     scan->extent = measureExtent(scan->document.points());
     scan->camera.setModel(scan->extent.sphere);
+    if (isBrush()) askForDistance();
   }
 }
 
@@ -341,6 +344,15 @@ void ViewController::followStroke(const BrushResponse& response) {
   }
   const bool isOver = response.phase == StrokePhase::kEnds || response.phase == StrokePhase::kCancelled;
   workbench_.tellPointsChanged(isOver ? Workbench::Change::kDone : Workbench::Change::kGoesOn);
+}
+
+// What is painted so far stays; the mouse may still be down.
+void ViewController::endStroke() {
+  brush_.cancel();
+  navigation_.release();
+  if (!painting_.isActive()) return;
+  painting_.end(workbench_.current()->document);
+  workbench_.tellPointsChanged();
 }
 
 bool ViewController::handleOutline(const PointerEvent& event) {

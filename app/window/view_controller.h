@@ -76,6 +76,7 @@ class ViewController final : public QObject {
   bool handleClickTool(const PointerEvent& event);
   void beginPainting();
   void followStroke(const BrushResponse& response);
+  void endStroke();
   void selectOutline();
   void inspectAt(const Picked& picked);
   void measureTo(const Picked& picked);

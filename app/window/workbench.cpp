@@ -59,6 +59,7 @@ OpenScan* Workbench::current() const {
 
 void Workbench::setCurrent(int index) {
   if (index == current_ || index < 0 || index >= static_cast<int>(scans_.size())) return;
+  emit leavingCurrent();
   current_ = index;
   emit currentChanged();
 }
@@ -96,6 +97,7 @@ void Workbench::showScan(std::unique_ptr<OpenScan> scan) {
   scan->title = QString::fromStdString(scan->document.path().filename().string());
   scan->camera.setUpAxis(likelyUpAxis(scan->document.points()));
   scan->camera.frame(scan->extent.sphere);
+  emit leavingCurrent();
   // A sample that nobody has touched gives way.
   const bool onlySample =
       scans_.size() == 1 && scans_[0]->isSample && scans_[0]->document.history().size() == 0;
@@ -176,6 +178,7 @@ void Workbench::followOpening() {
 }
 
 void Workbench::close(int index) {
+  emit leavingCurrent();
   OpenScan* scan = scans_[static_cast<std::size_t>(index)].get();
   if (job_ && job_->scan == scan) cancel();
   if (playing_ && playing_->scan == scan) playing_.reset();
@@ -249,10 +252,13 @@ bool Workbench::finishSaving() {
 }
 
 void Workbench::commit(const std::string& title, const PointSet& after, std::optional<Recipe::Step> step) {
-  OpenScan* scan = current();
-  if (!scan) return;
+  const OpenScan* scan = current();
+  if (scan) commitEdit(title, difference(scan->document.points(), after), std::move(step));
+}
+
+void Workbench::commitEdit(const std::string& title, Edit edit, std::optional<Recipe::Step> step) {
   try {
-    scan->document.commit(title, difference(scan->document.points(), after), std::move(step));
+    current()->document.commit(title, std::move(edit), std::move(step));
   } catch (const Error& error) {
     say(sentenceOf(error));
   }
@@ -285,8 +291,7 @@ void Workbench::deleteSelection() {
   PointSet after = before;
   after.removeRows(rows);
   after.erase(kSelection);
-  scan->document.commit("Delete selected points", difference(before, after, rows));
-  tellPointsChanged();
+  commitEdit("Delete selected points", difference(before, after, rows));
 }
 
 void Workbench::tellPointsChanged(Change change) {

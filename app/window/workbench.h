@@ -97,6 +97,8 @@ class Workbench final : public QObject {
 
  signals:
   void scansChanged();
+  /// Before another scan becomes the current one, or this one goes.
+  void leavingCurrent();
   void currentChanged();
   void pointsChanged();
   /// A stroke goes on: values of some points changed.
@@ -135,6 +137,7 @@ class Workbench final : public QObject {
   std::unique_ptr<PluginSentinel::Watch> watchPlugin(const std::string& operatorId) const;
   void takeMessages();
   void keepTicking();
+  void commitEdit(const std::string& title, Edit edit, std::optional<Recipe::Step> step = {});
   bool refuseAcrossProcess(std::size_t position);
   void addScan(ReadResult read, const std::filesystem::path& path, bool isSample);
   void showScan(std::unique_ptr<OpenScan> scan);
