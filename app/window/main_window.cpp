@@ -228,8 +228,13 @@ void MainWindow::startCard(const QString& id) {
     view_->paintAttribute("seeds", {1});
     processPanel_->setParameter("seeds", std::string("seeds"));
     workbench_.say(tr("Paint on one part, choose another label, paint on another part, then press Run."));
-  } else if (id == "creases" || id == "zebra") {
-    processPanel_->choose(id == "zebra" ? "texture_synthesis" : "classifier");
+  } else if (id == "zebra") {
+    processPanel_->choose("texture_synthesis");
+    processPanel_->setParameter("pattern", std::string("zebra"));
+    processPanel_->setParameter("color", true);
+    processPanel_->start();
+  } else if (id == "creases") {
+    processPanel_->choose("classifier");
     processPanel_->start();
   } else if (id == "repair") {
     processPanel_->choose("inpainting");
