@@ -165,7 +165,8 @@ void ProcessPanel::rebuildBrushes(const OperatorDescription& d) {
   int place = 0;
   for (const PaintableInput& input : d.paintable) {
     const QString title = QString::fromStdString(input.title.empty() ? input.attribute : input.title);
-    auto* button = new QPushButton(iconOf("paint"), isOnly ? tr("Paint %1").arg(title.toLower()) : title, brushes_);
+    auto* button =
+        new QPushButton(iconOf("paint"), isOnly ? tr("Paint %1").arg(title.toLower()) : title, brushes_);
     button->setToolTip(tr("Paint %1 on the surface").arg(title.toLower()));
     button->setObjectName(QString("paint_%1").arg(QString::fromStdString(input.attribute)));
     connect(button, &QPushButton::clicked, this, [this, input] { emit paintRequested(input); });
