@@ -13,6 +13,7 @@
 #include <QTabBar>
 #include <QToolBar>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/window/attribute_panel.h"
 #include "app/window/first_cards.h"
@@ -191,6 +192,7 @@ void MainWindow::connectParts() {
   connect(view_, &ViewController::toolChanged, this, &MainWindow::refreshActions);
   connect(attributePanel_, &AttributePanel::lookChanged, view_, &ViewController::relook);
   connect(attributePanel_, &AttributePanel::valuesMarked, view_, &ViewController::selectByValue);
+  connect(view_, &ViewController::strokeEnded, this, &MainWindow::followStroke);
   connect(view_, &ViewController::cardStarted, this, &MainWindow::startCard);
   connect(&workbench_, &Workbench::opened, this, [this](const QString& path) {
     settings_.addRecentFile(path);
@@ -201,8 +203,21 @@ void MainWindow::connectParts() {
 
 // The brush for what an operator declares as paintable; its parameter names the attribute from then on.
 void MainWindow::paintInput(const PaintableInput& input) {
-  view_->paintAttribute(input.attribute, {1});
-  if (!input.parameter.empty()) processPanel_->setParameter(input.parameter, input.attribute);
+  view_->paintAttribute(input.attribute, {1}, input.kind);
+  if (input.parameter.empty())
+    processPanel_->setRegion(input.attribute);
+  else
+    processPanel_->setParameter(input.parameter, input.attribute);
+  view_->viewport().widget().setFocus();  // the keys of the brush
+}
+
+// Some operators are worth running after every stroke on what they are told by painting.
+void MainWindow::followStroke(const std::string& attribute) {
+  const Operator* op = workbench_.registry().find(processPanel_->chosen());
+  if (!op || !op->description().runsAtEndOfStroke || workbench_.isRunning()) return;
+  const auto& inputs = op->description().paintable;
+  if (std::ranges::find(inputs, attribute, &PaintableInput::attribute) != inputs.end())
+    processPanel_->start();
 }
 
 // At an empty start: lost work first, then what there is to try.
@@ -238,8 +253,8 @@ void MainWindow::startCard(const QString& id) {
     processPanel_->start();
   } else if (id == "repair") {
     processPanel_->choose("inpainting");
-    workbench_.say(tr("Paint over what is to be repaired, then press Run."));
-    view_->paintAttribute("mask", {1});
+    paintInput({.kind = PaintKind::kMask, .attribute = "mask"});
+    workbench_.say(tr("Paint over a blemish: it is repaired when the stroke ends."));
   } else {
     view_->paintAttribute("color", {222, 56, 32});
   }

@@ -188,7 +188,10 @@ void ProcessPanel::refreshRegions(const OperatorDescription& d) {
       region_->addItem(tr("where %1 is not 0").arg(QString::fromStdString(name)),
                        QString::fromStdString(name));
   }
-  region_->setCurrentIndex(std::max(0, region_->findData(before)));
+  const int wanted = region_->findData(QString::fromStdString(wantedRegion_));
+  const bool isThere = !wantedRegion_.empty() && wanted >= 0;
+  region_->setCurrentIndex(isThere ? wanted : std::max(0, region_->findData(before)));
+  if (isThere) wantedRegion_.clear();
   const bool isUsed = d.region != RegionUse::kNone;
   region_->setVisible(isUsed);
   regionTitle_->setVisible(isUsed);
@@ -207,6 +210,11 @@ void ProcessPanel::setParameter(const std::string& id, const ParameterValue& val
   if (!d) return;
   kept_.at(d->id).set(id, value);
   rebuild();
+}
+
+void ProcessPanel::setRegion(const std::string& attribute) {
+  wantedRegion_ = attribute;
+  if (const OperatorDescription* d = description()) refreshRegions(*d);
 }
 
 void ProcessPanel::start(bool paused) {

@@ -169,6 +169,7 @@ void Workbench::finishJob() {
 // The attribute that the operator is about is what the user wants to see, unless it changed what is shown.
 void Workbench::showResult(OpenScan& scan, const std::string& operatorId,
                            const std::vector<Edit::Touched>& touched) {
+  scan.look.marked.clear();
   const std::string& shown = scan.look.colors.attribute;
   if (std::ranges::find(touched, shown.empty() ? "color" : shown, &Edit::Touched::name) != touched.end())
     return;

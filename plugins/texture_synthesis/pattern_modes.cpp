@@ -56,7 +56,7 @@ constexpr double kNeutral = 1e-7;
 constexpr double kMarginal = -1e-4;
 
 bool isStable(const PatternSystem& system, double dt) {
-  return growthFactor(system, dt, 0) <= 1 + kNeutral;
+  return dt <= system.longestStep && growthFactor(system, dt, 0) <= 1 + kNeutral;
 }
 
 double largestStableStep(const PatternSystem& system, double unstable) {

@@ -1,6 +1,7 @@
 #include "plugins/texture_synthesis/pattern_surface.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <type_traits>
@@ -13,6 +14,7 @@ namespace {
 
 constexpr double kMostDoublings = 2;  // up to 4 times the size and down to a quarter
 constexpr double kMostLength = 3;     // of a direction: up to 4 times as long as wide
+constexpr double kLeastLength = 1e-6;
 
 const Attribute& require(const PointSet& points, const std::string& name) {
   const Attribute* found = points.find(name);
@@ -37,17 +39,33 @@ std::vector<double> readDoublings(const PointSet& points, const Sites& sites, co
   return doublings;
 }
 
-// 1 / stretch across the direction, stretch along it, times the square of the scale.
-Eigen::Matrix3d drawnOut(const Eigen::Vector3f& direction, const Eigen::Vector3f& normal,
-                         double squaredScale) {
-  const Eigen::Matrix3d isotropic = squaredScale * Eigen::Matrix3d::Identity();
-  if (!direction.allFinite()) return isotropic;
+// By how much a direction draws the pattern out, at least 1, and along which unit vector.
+struct Stretch {
+  double factor = 1;
+  Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+};
+
+Stretch stretchBy(const Eigen::Vector3f& direction, const Eigen::Vector3f& normal) {
+  if (!direction.allFinite()) return {};
   const Eigen::Vector3d along = (direction - direction.dot(normal) * normal).cast<double>();
   const double length = along.norm();
-  if (!(length > 1e-6)) return isotropic;
-  const double stretch = 1 + std::min(length, kMostLength);
-  const Eigen::Vector3d axis = along / length;
-  return isotropic / stretch + squaredScale * (stretch - 1 / stretch) * axis * axis.transpose();
+  if (!(length > kLeastLength)) return {};
+  return {.factor = 1 + std::min(length, kMostLength), .axis = along / length};
+}
+
+// The squared scale, times the factor along the axis and divided by it across.
+SparseMatrix assembleDirected(PatternSurface& surface, std::span<const Eigen::Vector3f> directions,
+                              std::span<const double> squaredScale, const Progress* progress) {
+  const Discretization& d = surface.discretization;
+  std::vector<Eigen::Matrix3d> tensor(d.size());
+  for (Index s = 0; s < d.size(); ++s) {
+    const Stretch stretch = stretchBy(directions[d.sites.pointOfSite[s]], d.normals[s]);
+    tensor[s] =
+        squaredScale[s] * (Eigen::Matrix3d::Identity() / stretch.factor +
+                           (stretch.factor - 1 / stretch.factor) * stretch.axis * stretch.axis.transpose());
+    surface.finest = std::min(surface.finest, std::sqrt(squaredScale[s] / stretch.factor));
+  }
+  return assembleStiffness(d, tensor, progress);
 }
 
 }  // namespace
@@ -88,25 +106,20 @@ PatternSurface buildPatternSurface(const PointSet& points, const DiscretizationO
 void guideDiffusion(PatternSurface& surface, const PointSet& points, const PatternGuides& guides,
                     const Progress* progress) {
   const Discretization& d = surface.discretization;
+  std::vector<double> squaredScale(d.size(), 1);
+  if (!guides.sizeBy.empty()) {
+    squaredScale = readDoublings(points, d.sites, guides.sizeBy);
+    for (double& value : squaredScale) value = std::exp2(2 * value);
+  }
+  surface.finest = std::sqrt(*std::min_element(squaredScale.begin(), squaredScale.end()));
   SparseMatrix stiffness;
-  if (guides.sizeBy.empty() && guides.directionBy.empty()) {
-    stiffness = assembleStiffness(d, progress);
+  if (!guides.directionBy.empty()) {
+    stiffness =
+        assembleDirected(surface, points.values<Eigen::Vector3f>(guides.directionBy), squaredScale, progress);
+  } else if (!guides.sizeBy.empty()) {
+    stiffness = assembleStiffness(d, squaredScale, EdgeMean::kArithmetic, progress);
   } else {
-    std::vector<double> squaredScale(d.size(), 1);
-    if (!guides.sizeBy.empty()) squaredScale = readDoublings(points, d.sites, guides.sizeBy);
-    if (!guides.sizeBy.empty()) {
-      for (double& value : squaredScale) value = std::exp2(2 * value);
-    }
-    if (guides.directionBy.empty()) {
-      stiffness = assembleStiffness(d, squaredScale, EdgeMean::kArithmetic, progress);
-    } else {
-      const auto directions = points.values<Eigen::Vector3f>(guides.directionBy);
-      std::vector<Eigen::Matrix3d> tensor(d.size());
-      for (Index s = 0; s < d.size(); ++s) {
-        tensor[s] = drawnOut(directions[d.sites.pointOfSite[s]], d.normals[s], squaredScale[s]);
-      }
-      stiffness = assembleStiffness(d, tensor, progress);
-    }
+    stiffness = assembleStiffness(d, progress);
   }
   surface.diffusion = std::make_unique<PairDiffusion>(stiffness, d.mass, surface.spacing);
 }

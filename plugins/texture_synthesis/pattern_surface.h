@@ -11,7 +11,8 @@ namespace stipple {
 /// The surface that a pattern grows on.
 struct PatternSurface {
   Discretization discretization;
-  double area = 0, spacing = 0, diagonal = 0;     ///< of the sites; spacing = sqrt(area / sites); length
+  double area = 0, spacing = 0, diagonal = 0;  ///< of the sites; spacing = sqrt(area / sites); length
+  double finest = 1;  ///< smallest width of the guided pattern, relative to one without guides
   std::unique_ptr<PairDiffusion> diffusion = {};  ///< of waves of the wanted size
 };
 

@@ -34,9 +34,9 @@ PatternSystem makeStripes() {
 PatternSystem makePatternSystem(Pattern pattern) {
   switch (pattern) {
     case Pattern::kSpots:
-      return makeSpots(5, 1000, 1.2);
+      return makeSpots(5, 1000, 1.13);
     case Pattern::kTurkSpots:
-      return makeSpots(4, 1700, 1.15);
+      return makeSpots(4, 1700, 1.13);
     case Pattern::kStripes:
       return makeStripes();
     case Pattern::kZebra: {
@@ -51,8 +51,10 @@ PatternSystem makePatternSystem(Pattern pattern) {
               .beginning = Beginning::kPatches,
               .steady = {1, 0},
               .timeStep = 2,
+              // b reaches .45, and explicit a b^2 must leave some of a.
+              .longestStep = 4,
               .steps = 4000,
-              .patchSize = 10,
+              .patchSize = 9.05,
               .shown = 1};
     case Pattern::kGiererMeinhardt:
       // p2 / p1 and .01 a^2 / p2.
@@ -61,7 +63,7 @@ PatternSystem makePatternSystem(Pattern pattern) {
               .variation = 0.1,
               .timeStep = 5,
               .steps = 1000,
-              .sizeOfWave = 1.15,
+              .sizeOfWave = 0.96,
               .shown = 0};
   }
   return {};

@@ -60,20 +60,17 @@ struct MeinhardtReaction {
   }
 };
 
-/// Gray and Scott: a' = F(1 - a) - a b^2, b' = a b^2 - (F + K) b. Every loss is taken implicitly, which keeps
-/// 0 <= a <= 1 and b >= 0 at any time step.
+/// Gray and Scott: a' = F(1 - a) - a b^2, b' = a b^2 - (F + K) b; linear decay implicit.
 struct GrayScottReaction {
   static constexpr int kSpecies = 2;
   static constexpr double kFeed = 0.035, kKill = 0.064;
 
-  std::vector<DiffusingPair> pairs() const { return {{{0, 1}, {0.082, 0.041}, {0, kFeed + kKill}}}; }
+  std::vector<DiffusingPair> pairs() const { return {{{0, 1}, {0.082, 0.041}, {kFeed, kFeed + kKill}}}; }
 
   template <class Number>
   std::array<Number, 2> react(std::size_t, Number dt, Number, Number* u) const {
-    constexpr auto feed = static_cast<Number>(kFeed);
-    const Number squared = u[1] * u[1];
-    const Number a = (u[0] + dt * feed) / (1 + dt * (feed + squared));
-    return {a, u[1] + dt * a * squared};
+    const Number gain = u[0] * u[1] * u[1];
+    return {u[0] + dt * (static_cast<Number>(kFeed) - gain), u[1] + dt * gain};
   }
 };
 
@@ -108,6 +105,7 @@ struct PatternSystem {
   double beta = 1;            ///< of the reaction, mean and
   double variation = 0;       ///< half width of its irregularities, frozen at each point
   double timeStep = 1;
+  double longestStep = 100;  ///< beyond what the homogeneous state tells
   int steps = 1000;
   /// Wanted size over the wavelength of the fastest mode: what grows in the end is not what grows first, and
   /// size means the distance in a hexagonal packing.

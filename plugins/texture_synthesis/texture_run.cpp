@@ -21,6 +21,8 @@ constexpr std::size_t kBlock = 4096;
 constexpr double kLeastPointsOfWave = 4, kFairPointsOfWave = 8;
 // The default size: a wave of so many spacings, at least this share of the diagonal.
 constexpr double kUsualPointsOfWave = 12, kUsualShare = 1.0 / 25;
+// And never so large that but a handful fit on a coarse model.
+constexpr double kLargestShare = 0.3;
 // Of a patch of Gray and Scott's second species: what they and Pearson (1993) start from.
 constexpr float kPatchA = 0.5f, kPatchB = 0.25f;
 
@@ -73,8 +75,9 @@ void TextureRun::scale() {
   size_ = options_.size;
   if (!(size_ > 0)) {
     size_ = per.waves * std::max(kUsualPointsOfWave * surface_->spacing, kUsualShare * surface_->diagonal);
+    size_ = std::min(size_, kLargestShare * std::sqrt(surface_->area));
   }
-  const double least = per.waves * kLeastPointsOfWave * surface_->spacing;
+  const double least = per.waves * kLeastPointsOfWave * surface_->spacing / surface_->finest;
   if (size_ < least) {
     throw InvalidInput(
         fmt::format("a pattern of size {:.4g} is too fine for these points: at least {:.4g}", size_, least));
@@ -245,7 +248,7 @@ RunResult TextureRun::result() const {
 Report TextureRun::report() const {
   if (steps_ == 0) return {};
   const Proportions per = proportionsOf(system_, timeStep());
-  const double pointsOfWave = size_ / per.waves / surface_->spacing;
+  const double pointsOfWave = size_ / per.waves / surface_->spacing * surface_->finest;
   Report report;
   report.values = {{"size", size_},
                    {"spacing", surface_->spacing},
@@ -257,7 +260,7 @@ Report TextureRun::report() const {
   if (pointsOfWave < kFairPointsOfWave) {
     report.warnings.push_back(
         fmt::format("a pattern of size {:.4g} is rough on these points; from {:.4g} it is even", size_,
-                    per.waves * kFairPointsOfWave * surface_->spacing));
+                    size_ * kFairPointsOfWave / pointsOfWave));
   }
   return report;
 }
