@@ -4,6 +4,7 @@
 #include <QCompleter>
 #include <QDockWidget>
 #include <QDragEnterEvent>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -203,6 +204,7 @@ void MainWindow::connectParts() {
 void MainWindow::paintInput(const PaintableInput& input) {
   view_->paintAttribute(input.attribute, {1});
   if (!input.parameter.empty()) processPanel_->setParameter(input.parameter, input.attribute);
+  view_->viewport().widget().setFocus();  // the keys of the brush
 }
 
 // At an empty start: lost work first, then what there is to try.
@@ -247,6 +249,12 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   settings_.setWindow(saveGeometry(), saveState());
   workbench_.closeAll();
   event->accept();
+}
+
+// What no panel took: Esc takes back wherever the focus is.
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && view_->escape()) return;
+  QMainWindow::keyPressEvent(event);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
