@@ -64,6 +64,11 @@ void Workbench::setCurrent(int index) {
   emit currentChanged();
 }
 
+void Workbench::say(const QString& sentence, const QString& details) {
+  const QString first = sentence.section('\n', 0, 0);
+  emit said(first, first == sentence ? details : sentence);
+}
+
 void Workbench::keepTicking() {
   const bool isBusy = !openings_.empty() || recovering_ || saving_ || preparing_ || playing_ || job_;
   if (isBusy && !timer_.isActive()) timer_.start();

@@ -93,7 +93,8 @@ class Workbench final : public QObject {
   std::optional<TaskStatus> task() const;
   void cancelTask();
 
-  void say(const QString& sentence, const QString& details = {}) { emit said(sentence, details); }
+  /// Of several lines, the first is the sentence, and all of them are the details.
+  void say(const QString& sentence, const QString& details = {});
 
  signals:
   void scansChanged();

@@ -155,15 +155,19 @@ void WindowTest::turnWheel(const QPoint& at, int steps, Qt::KeyboardModifiers he
 }
 
 // There is no window manager on the screen: the focus of a window or dialog that went comes back late.
+void WindowTest::activate() {
+  if (window_->isActiveWindow()) return;
+  window_->activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get(), 60'000));
+}
+
 void WindowTest::key(Qt::Key key, Qt::KeyboardModifiers held) {
-  if (!window_->isActiveWindow()) {
-    window_->activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get(), 60'000));
-  }
+  activate();
   QTest::keyClick(window_->windowHandle(), key, held);
 }
 
 void WindowTest::typeInto(QWidget& field, const QString& text) {
+  activate();
   QTest::mouseDClick(&field, Qt::LeftButton, {}, field.rect().center());
   QWidget* editor = QApplication::focusWidget();
   ASSERT_TRUE(editor && (editor == &field || field.isAncestorOf(editor)));
@@ -185,6 +189,7 @@ void WindowTest::choose(const std::string& command) {
 void WindowTest::chooseOperator(const std::string& id,
                                 const std::vector<std::pair<const char*, int>>& numbers) {
   choose("operator_" + id);
+  QApplication::processEvents();  // the fields appear
   for (const auto& [parameter, number] : numbers) {
     NumberField* field = nullptr;
     for (NumberField* candidate : window_->findChildren<NumberField*>(parameter)) {

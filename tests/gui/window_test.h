@@ -87,6 +87,7 @@ class WindowTest : public testing::Test {
   std::vector<QString> said_;  ///< sentences for the user since they were last cleared
 
  private:
+  void activate();
   void pollForDialog(std::function<void(QWidget&)> drive);
 
   std::unique_ptr<Settings> settings_;
