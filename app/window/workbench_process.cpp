@@ -80,6 +80,7 @@ std::optional<ProcessState> Workbench::process() const {
                       .title = job_->title,
                       .message = status.progress.message,
                       .isPaused = status.state == JobState::kPaused,
+                      .isInStep = status.inStep,
                       .fraction = status.progress.fraction,
                       .secondsLeft = status.progress.secondsLeft,
                       .steps = status.steps,
