@@ -90,39 +90,39 @@ FillStep HarmonicFill::step(Hole& hole, const Progress& progress) {
 }
 
 TensorFill::TensorFill(Hole& hole, const Progress& progress) {
-  unreached_ =
-      EllipticSolver(creaseStiffness(hole, progress), hole.unknown, solverFor(hole), &progress).unreached();
+  first_.emplace(creaseStiffness(hole, progress), hole.unknown, solverFor(hole), &progress);
+  unreached_ = first_->unreached();
 }
 
 FillStep TensorFill::step(Hole& hole, const Progress& progress) {
   const Eigen::MatrixXd before = hole.values;
+  if (first_) {
+    first_->solve(hole.values, &progress);
+    first_.reset();
+  } else {
+    const EdgeSource source = steps_ == 1 ? EdgeSource::kKnown : EdgeSource::kCurrent;
+    const SparseMatrix stiffness =
+        assembleStiffness(hole.discretization, edgeTensors(hole, source, &progress), &progress);
+    EllipticSolver(stiffness, hole.unknown, solverFor(hole), &progress).solve(hole.values, &progress);
+  }
   ++steps_;
-  const SparseMatrix stiffness = [&] {
-    if (steps_ == 1) return creaseStiffness(hole, progress);
-    const EdgeSource source = steps_ == 2 ? EdgeSource::kKnown : EdgeSource::kCurrent;
-    return assembleStiffness(hole.discretization, edgeTensors(hole, source, &progress), &progress);
-  }();
-  EllipticSolver(stiffness, hole.unknown, solverFor(hole), &progress).solve(hole.values, &progress);
   clampToKnown(hole);
   return {.change = changeOf(hole, before), .fraction = static_cast<double>(steps_) / kTensorSteps};
 }
 
 BiharmonicFill::BiharmonicFill(Hole& hole, const Progress& progress) {
-  unreached_ = EllipticSolver(assembleStiffness(hole.discretization, &progress), hole.unknown,
-                              solverFor(hole), &progress)
-                   .unreached();
+  const Discretization& d = hole.discretization;
+  const SparseMatrix stiffness = assembleStiffness(d, &progress);
+  const Eigen::Map<const Eigen::VectorXd> mass(d.mass.data(), static_cast<Eigen::Index>(d.mass.size()));
+  const SparseMatrix scaled = mass.cwiseInverse().asDiagonal() * stiffness;
+  // The condition of L M^-1 L is the square of that of L: too much for conjugate gradients.
+  solver_.emplace(SparseMatrix(stiffness * scaled), hole.unknown,
+                  SolverOptions{.method = SolverMethod::kCholesky}, &progress);
 }
 
 FillStep BiharmonicFill::step(Hole& hole, const Progress& progress) {
   const Eigen::MatrixXd before = hole.values;
-  const Discretization& d = hole.discretization;
-  const SparseMatrix stiffness = assembleStiffness(d, &progress);
-  const Eigen::Map<const Eigen::VectorXd> mass(d.mass.data(), d.size());
-  const SparseMatrix scaled = mass.cwiseInverse().asDiagonal() * stiffness;
-  const SparseMatrix squared = stiffness * scaled;
-  SolverOptions options = solverFor(hole);
-  options.method = SolverMethod::kCholesky;
-  EllipticSolver(squared, hole.unknown, options, &progress).solve(hole.values, &progress);
+  solver_->solve(hole.values, &progress);
   clampToKnown(hole);
   return {.change = changeOf(hole, before), .fraction = 1};
 }

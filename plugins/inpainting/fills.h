@@ -38,6 +38,7 @@ class TensorFill {
 
  private:
   std::vector<Index> unreached_;
+  std::optional<EllipticSolver> first_;  // of the harmonic fill, until it has been used
   int steps_ = 0;
 };
 
@@ -46,10 +47,10 @@ class BiharmonicFill {
  public:
   BiharmonicFill(Hole& hole, const Progress& progress);
   FillStep step(Hole& hole, const Progress& progress);
-  const std::vector<Index>& unreached() const { return unreached_; }
+  const std::vector<Index>& unreached() const { return solver_->unreached(); }
 
  private:
-  std::vector<Index> unreached_;
+  std::optional<EllipticSolver> solver_;
 };
 
 using Fill = std::variant<HarmonicFill, TensorFill, BiharmonicFill>;

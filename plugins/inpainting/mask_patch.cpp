@@ -86,21 +86,23 @@ PointSet takeRows(const PointSet& whole, std::span<const Index> rows) {
   return PointSet(std::move(positions));
 }
 
-// The farthest that a masked point of the sample has to go for its nearest neighbors within the patch.
-float widestNeighborhood(const MaskPatch& patch, std::span<const Index> masked) {
+// How far nineteen of twenty masked points of the sample have to go for their nearest neighbors in the patch.
+float wideNeighborhood(const MaskPatch& patch, std::span<const Index> masked) {
   const Sites sites = weldAndOrder(patch.points.positions());
   const NeighborSearch search(sites.positions, kNearest);
   std::vector<Index> neighbors;
   std::vector<float> squared;
-  float widest = 0;
+  std::vector<float> reaches;
   const std::size_t stride = (masked.size() + kSample - 1) / kSample;
   for (std::size_t m = 0; m < masked.size(); m += stride) {
     const auto place = std::ranges::lower_bound(patch.rows, masked[m]) - patch.rows.begin();
     search.findNearest(sites.siteOfPoint[static_cast<std::size_t>(place)], kNearest, neighbors, squared);
     if (neighbors.size() < kNearest) return std::numeric_limits<float>::infinity();
-    widest = std::max(widest, squared.back());
+    reaches.push_back(squared.back());
   }
-  return std::sqrt(widest);
+  const auto place = reaches.begin() + static_cast<std::ptrdiff_t>(reaches.size() * 19 / 20);
+  std::nth_element(reaches.begin(), place, reaches.end());
+  return std::sqrt(*place);
 }
 
 }  // namespace
@@ -122,9 +124,8 @@ MaskPatch cutPatch(const PointSet& whole, std::span<const Index> masked, const P
     MaskPatch patch{.rows = rowsWithin(whole, masked, radius, progress), .points = PointSet()};
     if (2 * patch.rows.size() > whole.size()) break;
     patch.points = takeRows(whole, patch.rows);
-    const float needed = kRadiusInNearest * widestNeighborhood(patch, masked);
-    if (!(needed > radius) && needed > radius / 2) return patch;
-    if (needed > 0 && needed <= radius / 2) {
+    const float needed = kRadiusInNearest * wideNeighborhood(patch, masked);
+    if (needed > 0 && needed <= radius) {
       patch.rows = rowsWithin(whole, masked, needed, progress);
       patch.points = takeRows(whole, patch.rows);
       return patch;
