@@ -85,7 +85,10 @@ void continueInto(const Hole& hole, std::span<const std::uint8_t> isClean, Struc
   }
   Eigen::MatrixXd entries = structure;
   EllipticSolver(assembleStiffness(hole.discretization, progress), open,
-                 {.tolerance = 1e-4, .expectedSolves = 6}, progress)
+                 {.method = open.size() < 50000 ? SolverMethod::kCholesky : SolverMethod::kAuto,
+                  .tolerance = 1e-4,
+                  .expectedSolves = 6},
+                 progress)
       .solve(entries, progress);
   structure = entries;
 }
