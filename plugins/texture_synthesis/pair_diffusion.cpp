@@ -136,7 +136,11 @@ int PairDiffusion::solve(const PairTerms& terms, std::span<const Pair> right, st
     Pair alpha{}, beta{};
     for (std::size_t lane = 0; lane < 2; ++lane) {
       // A species that is done rests while the other goes on.
-      if (energy[lane] <= enough[lane] || !(curvature[lane] > 0)) continue;
+      if (energy[lane] <= enough[lane]) continue;
+      if (!(curvature[lane] > 0)) {
+        throw SolverError(
+            "the matrix of this scheme is not positive definite on these points; take scheme voronoi");
+      }
       alpha[lane] = static_cast<float>(energy[lane] / curvature[lane]);
     }
     const PairSum next = advance(alpha, u);

@@ -26,7 +26,7 @@ class PairDiffusion {
   PairDiffusion(const SparseMatrix& stiffness, std::span<const double> mass, double spacing);
 
   /// Solves for `u`, which holds the first guess. Returns the iterations. Throws SolverError where the values
-  /// are not finite.
+  /// are not finite, or M + tau L is not positive definite (scheme paper).
   int solve(const PairTerms& terms, std::span<const Pair> right, std::span<Pair> u);
 
  private:

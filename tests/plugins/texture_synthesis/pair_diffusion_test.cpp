@@ -88,6 +88,15 @@ TEST(PairDiffusion, ConstantsStayAsTheyAre) {
   }
 }
 
+TEST(PairDiffusion, AnIndefiniteMatrixIsRefused) {
+  const Problem problem = makeProblem(500);
+  const SparseMatrix negative = -problem.stiffness;
+  PairDiffusion diffusion(negative, problem.discretization.mass, problem.spacing);
+  std::vector<Pair> u = problem.right;
+  const double tau = 10 * problem.spacing * problem.spacing;
+  EXPECT_THROW(diffusion.solve({.mass = {1, 1}, .stiffness = {tau, tau}}, problem.right, u), SolverError);
+}
+
 TEST(PairDiffusion, WhatIsNotFiniteIsSaid) {
   Problem problem = makeProblem(500);
   PairDiffusion diffusion(problem.stiffness, problem.discretization.mass, problem.spacing);
