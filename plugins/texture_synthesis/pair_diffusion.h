@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <span>
 #include <vector>
@@ -9,8 +8,9 @@
 
 namespace stipple {
 
-/// Two species at one site, solved side by side so that they share each pass over the matrix.
-using Pair = Eigen::Array2f;
+/// Two species at one site, solved side by side so that they share each pass over the matrix. The vector type
+/// of GCC and Clang: Eigen works on pairs of floats one by one.
+using Pair [[gnu::vector_size(8)]] = float;
 
 /// Of (mass M + stiffness L) u = M r, one number for each of the two species; stiffness in length^2.
 struct PairTerms {
@@ -26,7 +26,7 @@ class PairDiffusion {
   PairDiffusion(const SparseMatrix& stiffness, std::span<const double> mass, double spacing);
 
   /// Solves for `u`, which holds the first guess. Returns the iterations. Throws SolverError where the values
-  /// are not finite.
+  /// are not finite, or M + tau L is not positive definite (scheme paper).
   int solve(const PairTerms& terms, std::span<const Pair> right, std::span<Pair> u);
 
  private:
@@ -37,8 +37,8 @@ class PairDiffusion {
 
   PairSum findResidual(const Scaled& terms, std::span<const Pair> right, std::span<const Pair> u);
   PairSum applyToDirection(const Scaled& terms);
-  PairSum advance(const Pair& alpha, std::span<Pair> u);
-  void turnDirection(const Pair& beta);
+  PairSum advance(Pair alpha, std::span<Pair> u);
+  void turnDirection(Pair beta);
   Pair spread(Index row, const Pair* values) const;
   template <class Block>
   PairSum sumBlocks(const Block& block);

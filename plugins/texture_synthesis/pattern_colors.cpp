@@ -8,6 +8,9 @@ namespace stipple {
 
 namespace {
 
+// Less than this, relative to the values, is no pattern yet.
+constexpr float kFlat = 1e-4f;
+
 // The curve of sRGB (IEC 61966-2-1) and its inverse.
 double toLinear(double encoded) {
   return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
@@ -32,10 +35,15 @@ std::vector<float> figureShares(std::span<const float> values, bool figureIsHigh
     std::nth_element(sorted.begin(), place, sorted.end());
     return *place;
   };
-  const float low = quantile(0.05), high = quantile(0.95);
+  float low = quantile(0.05), high = quantile(0.95);
+  const auto isFlat = [&] { return !(high - low > kFlat * std::max(std::abs(low), std::abs(high))); };
+  if (isFlat()) {
+    // A pattern that covers little so far, such as the seeds of a zebra.
+    low = quantile(0);
+    high = quantile(1);
+  }
   std::vector<float> shares(values.size(), 0);
-  // Less than this, relative to the values, is no pattern yet.
-  if (!(high - low > 1e-4f * std::max(std::abs(low), std::abs(high)))) return shares;
+  if (isFlat()) return shares;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const float t = std::clamp((values[i] - low) / (high - low), 0.f, 1.f);
     const float step = t * t * (3 - 2 * t);

@@ -7,8 +7,8 @@
 
 namespace stipple {
 
-/// How much of the figure there is at each value, in [0, 1]: a smooth step from the 5 % to the 95 % quantile.
-/// All 0 where the values do not vary.
+/// How much of the figure there is at each value, in [0, 1]: a smooth step from the 5 % to the 95 % quantile
+/// (of all values where these are equal). All 0 where the values do not vary.
 std::vector<float> figureShares(std::span<const float> values, bool figureIsHigh);
 
 /// The two colors mixed in linear light.

@@ -76,7 +76,7 @@ std::vector<Index> seedsFromAttribute(const PointSet& points, const Sites& sites
 std::vector<Index> scatteredDiscs(const PatternSurface& surface, double radius, std::uint64_t seed) {
   const Sites& sites = surface.discretization.sites;
   const double discs = std::max(1.0, surface.area / (16 * radius * radius));
-  const auto threshold = static_cast<float>(std::min(1.0, discs / sites.size()));
+  const std::vector<double>& mass = surface.discretization.mass;
   const std::vector<float> chances = irregularities(sites.size(), seed);
   // At least the luckiest site.
   const auto luckiest =
@@ -86,7 +86,9 @@ std::vector<Index> scatteredDiscs(const PatternSurface& surface, double radius, 
   std::vector<Index> neighbors;
   std::vector<float> squaredDistances;
   for (Index s = 0; s < sites.size(); ++s) {
-    if (0.5f * (chances[s] + 1) >= threshold && s != luckiest) continue;
+    // By area, so that sparse places get their share.
+    const bool isCenter = 0.5 * (static_cast<double>(chances[s]) + 1) < discs * mass[s] / surface.area;
+    if (!isCenter && s != luckiest) continue;
     isInside[s] = 1;
     search.findWithin(s, static_cast<float>(radius), neighbors, squaredDistances);
     for (const Index n : neighbors) isInside[n] = 1;

@@ -96,7 +96,10 @@ PatternSurface buildPatternSurface(const PointSet& points, const DiscretizationO
   Eigen::AlignedBox3f box;
   for (const Eigen::Vector3f& x : d.sites.positions) box.extend(x);
   surface.diagonal = box.isEmpty() ? 0 : static_cast<double>(box.diagonal().norm());
-  if (d.fans.neighbors.empty() || !(surface.spacing > 0)) {
+  const bool hasTriangles =
+      !d.meshTriangles.empty() || std::any_of(d.fans.flags.begin(), d.fans.flags.end(),
+                                              [](std::uint8_t f) { return (f & Fans::kGapAfter) == 0; });
+  if (!hasTriangles || !(surface.spacing > 0)) {
     throw InvalidInput("a pattern needs a surface: " + std::to_string(d.size()) +
                        " distinct points span no triangle");
   }

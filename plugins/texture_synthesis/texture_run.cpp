@@ -36,6 +36,11 @@ Proportions proportionsOf(const PatternSystem& system, double timeStep) {
   return {findModes(system, timeStep).wavelength * system.sizeOfWave, system.sizeOfWave};
 }
 
+double usualSize(const PatternSurface& surface, double waves, double least) {
+  const double share = waves * std::max(kUsualPointsOfWave * surface.spacing, kUsualShare * surface.diagonal);
+  return std::max(least, std::min(share, kLargestShare * std::sqrt(surface.area)));
+}
+
 }  // namespace
 
 TextureRun::TextureRun(PointSet snapshot, const Parameters& parameters)
@@ -58,7 +63,7 @@ TextureRun::TextureRun(PointSet snapshot, const Parameters& parameters)
 
 void TextureRun::prepare(Progress& progress) {
   if (!surface_) {
-    PartialProgress building(progress, 0, 0.5);
+    PartialProgress building(progress, 0, 1.0 / stepsWanted());
     surface_ = buildPatternSurface(snapshot_, options_.discretization, building);
   }
   if (!isGuided_) {
@@ -72,12 +77,8 @@ void TextureRun::prepare(Progress& progress) {
 // Wanted size to the unit of length of the published systems.
 void TextureRun::scale() {
   const Proportions per = proportionsOf(system_, timeStep());
-  size_ = options_.size;
-  if (!(size_ > 0)) {
-    size_ = per.waves * std::max(kUsualPointsOfWave * surface_->spacing, kUsualShare * surface_->diagonal);
-    size_ = std::min(size_, kLargestShare * std::sqrt(surface_->area));
-  }
   const double least = per.waves * kLeastPointsOfWave * surface_->spacing / surface_->finest;
+  size_ = options_.size > 0 ? options_.size : usualSize(*surface_, per.waves, least);
   if (size_ < least) {
     throw InvalidInput(
         fmt::format("a pattern of size {:.4g} is too fine for these points: at least {:.4g}", size_, least));
@@ -140,8 +141,8 @@ void TextureRun::reactAll(std::size_t number) {
             std::array<float, kSpecies> u;
             for (std::size_t s = 0; s < kSpecies; ++s) u[s] = species_[s][i];
             const auto right = reaction.react(number, dt, beta_[i], u.data());
-            right_[i] = Pair(right[0], right[1]);
-            next_[i] = Pair(u[first], u[second]);
+            right_[i] = Pair{right[0], right[1]};
+            next_[i] = Pair{u[first], u[second]};
             if constexpr (kSpecies == 5) species_[2][i] = u[2];
           }
         });
@@ -165,7 +166,7 @@ double TextureRun::advancePair(const DiffusingPair& pair, std::size_t number) {
     double sum = 0;
     for (std::size_t i = begin; i < end; ++i) {
       // Concentrations; only an unfinished solve or a strong reaction reaches below 0.
-      const Pair value = next_[i].max(0.f);
+      const Pair value{std::max(next_[i][0], 0.f), std::max(next_[i][1], 0.f)};
       if (shown == first || shown == second) {
         const double change = static_cast<double>(value[shown == first ? 0 : 1] - species_[shown][i]);
         sum += change * change;
@@ -191,14 +192,13 @@ double TextureRun::advance() {
 StepState TextureRun::step(Progress& progress) {
   progress.throwIfCancelled();
   prepare(progress);
-  double change = 0;
+  std::optional<double> change;
   if (steps_ < stepsWanted()) {
     change = advance();
     ++steps_;
   }
   const bool finished = steps_ >= stepsWanted();
   const double fraction = finished ? 1 : static_cast<double>(steps_) / stepsWanted();
-  progress.report(fraction, "the pattern grows");
   return {.finished = finished, .fraction = fraction, .curve = change};
 }
 

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace stipple {
 namespace {
 
@@ -19,6 +21,14 @@ TEST(PatternColors, SharesRiseFromLowToHigh) {
 TEST(PatternColors, NoPatternIsAllGround) {
   EXPECT_THAT(figureShares(std::vector<float>(10, 4.f), false), testing::Each(0.f));
   EXPECT_TRUE(figureShares({}, true).empty());
+}
+
+TEST(PatternColors, AFewSeedsAreSeen) {
+  std::vector<float> values(1000, 0.75f);
+  values[500] = 1;
+  const std::vector<float> shares = figureShares(values, true);
+  EXPECT_EQ(shares[500], 1);
+  EXPECT_EQ(std::count(shares.begin(), shares.end(), 0.f), 999);
 }
 
 TEST(PatternColors, EndsAreExactAndTheMiddleIsMixedInLinearLight) {
