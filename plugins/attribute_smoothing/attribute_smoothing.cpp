@@ -32,7 +32,7 @@ std::vector<Parameter> smoothingParameters() {
        {.id = "time_step",
         .title = "Time step",
         .unit = Unit::kSpacingSquared,
-        .defaultValue = 1.0,
+        .defaultValue = 0.25,
         .min = 1e-4,
         .max = 1e6,
         .help = "Time of one step; details of size s are gone after a time of about s^2."},

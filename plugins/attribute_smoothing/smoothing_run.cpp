@@ -14,6 +14,11 @@ namespace {
 
 // Of 8-bit colors and floats no more digits are kept.
 constexpr double kTolerance = 1e-6;
+// Where each step has a matrix of its own, from gradients that are estimates.
+constexpr double kTolerancePerMatrix = 1e-4;
+// Solves with one matrix, and rows, up to which a factorization is worth its time.
+constexpr int kSolvesWorthAFactor = 6;
+constexpr Eigen::Index kFactorizedRows = 200000;
 
 }  // namespace
 
@@ -36,12 +41,16 @@ std::unique_ptr<DiffusionStepper> SmoothingRun::makeStepper(const Progress& prog
   const bool isHeat = parameters_.choice<SmoothingMethod>("method") == SmoothingMethod::kHeat;
   const SparseMatrix stiffness = isHeat ? surface_->stiffness(blocks, progress)
                                         : surface_->edgePreservingStiffness(values_, blocks, progress);
-  const auto left = std::max<std::int64_t>(parameters_.integer("steps") - steps_, 1);
-  const int solves = isHeat ? static_cast<int>(std::min<std::int64_t>(left, 1000)) : 1;
-  const DiffusionOptions options{
-      .timeStep = parameters_.number("time_step") * surface_->squaredSpacing(),
-      .held = surface_->heldSites(),
-      .solver = {.tolerance = kTolerance, .expectedSolves = solves * static_cast<int>(values_.cols())}};
+  // The matrix of the heat equation serves all steps, one that depends on the values only its own. The seam
+  // takes scans for evener than they are, and conjugate gradients for quicker.
+  const auto left = std::clamp<std::int64_t>(parameters_.integer("steps") - steps_, 1, 1000);
+  SolverOptions solver{.tolerance = isHeat ? kTolerance : kTolerancePerMatrix,
+                       .expectedSolves = static_cast<int>((isHeat ? left : 1) * values_.cols())};
+  if (solver.expectedSolves >= kSolvesWorthAFactor && values_.rows() <= kFactorizedRows)
+    solver.method = SolverMethod::kCholesky;
+  const DiffusionOptions options{.timeStep = parameters_.number("time_step") * surface_->squaredSpacing(),
+                                 .held = surface_->heldSites(),
+                                 .solver = solver};
   return std::make_unique<DiffusionStepper>(stiffness, surface_->discretization().mass, options, &progress);
 }
 

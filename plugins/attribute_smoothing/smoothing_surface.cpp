@@ -76,14 +76,12 @@ SparseMatrix SmoothingSurface::stiffness(bool blocksCreases, const Progress& pro
 SparseMatrix SmoothingSurface::edgePreservingStiffness(const Eigen::MatrixXd& values, bool blocksCreases,
                                                        const Progress& progress) {
   std::vector<double> diffusivity = squaredGradients(discretization_, values, progress);
-  if (!contrast_) {
-    std::vector<double> sorted = diffusivity;
-    const auto place =
-        sorted.begin() + static_cast<std::ptrdiff_t>(kEdgeQuantile * static_cast<double>(sorted.size() - 1));
-    std::nth_element(sorted.begin(), place, sorted.end());
-    contrast_ = *place;
-  }
-  for (double& a : diffusivity) a = *contrast_ > 0 ? std::exp(-a / *contrast_) : (a > 0 ? 0.0 : 1.0);
+  std::vector<double> sorted = diffusivity;
+  const auto place =
+      sorted.begin() + static_cast<std::ptrdiff_t>(kEdgeQuantile * static_cast<double>(sorted.size() - 1));
+  std::nth_element(sorted.begin(), place, sorted.end());
+  const double contrast = *place;
+  for (double& a : diffusivity) a = contrast > 0 ? std::exp(-a / contrast) : (a > 0 ? 0.0 : 1.0);
   return stiffnessTimes(diffusivity, blocksCreases, progress);
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 #include <vector>
 
 #include "core/fem/assembly.h"
@@ -24,7 +23,7 @@ class SmoothingSurface {
 
   /// L, between creases where asked for. What has no finite value takes no part.
   SparseMatrix stiffness(bool blocksCreases, const Progress& progress);
-  /// L with A = g(|grad u|) of `values`.
+  /// L with A = exp(-|grad u|^2 / s^2), s the gradient that an eighth of the sites exceed in `values`.
   SparseMatrix edgePreservingStiffness(const Eigen::MatrixXd& values, bool blocksCreases,
                                        const Progress& progress);
 
@@ -39,7 +38,6 @@ class SmoothingSurface {
   bool allFinite_ = true;
   std::vector<Index> heldSites_, writtenRows_;
   std::vector<OneSidedPlane> planes_;  // of the sites; empty until creases are asked for
-  std::optional<double> contrast_;     // squared gradient of an edge; of the first values
 };
 
 }  // namespace stipple

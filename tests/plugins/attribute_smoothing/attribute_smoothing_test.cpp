@@ -59,7 +59,7 @@ TEST(AttributeSmoothing, ConstantsStayAndExtremesShrink) {
     colors.push_back({static_cast<std::uint8_t>(random() % 256), 77, 200, static_cast<std::uint8_t>(i)});
   points.set("color", colors);
   for (const char* method : {"heat", "edge_preserving"}) {
-    const PointSet result = smooth(points, {{"method", std::string(method)}});
+    const PointSet result = smooth(points, {{"method", std::string(method)}, {"time_step", 1.0}});
     int least = 255, greatest = 0;
     for (Index i = 0; i < points.size(); ++i) {
       const Rgba8 color = result.values<Rgba8>("color")[i];
@@ -85,8 +85,8 @@ TEST(AttributeSmoothing, EdgePreservingKeepsWhatHeatWashesOut) {
     values.push_back((p.x() > 0.5f ? 1.f : 0.f) + noise(random));
   points.set("value", values);
   const auto errors = [&](const char* method) {
-    const PointSet result =
-        smooth(points, {{"attribute", std::string("value")}, {"method", std::string(method)}});
+    const PointSet result = smooth(
+        points, {{"attribute", std::string("value")}, {"method", std::string(method)}, {"time_step", 1.0}});
     double far = 0, farCount = 0, near = 0, nearCount = 0;
     for (Index i = 0; i < points.size(); ++i) {
       const float x = points.positions()[i].x();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 #include "core/geometry/nearest_points.h"
@@ -89,7 +90,10 @@ struct Quality {
 Quality judge(const PointSet& whole, float radiusInSpacings) {
   constexpr int kDraws = 3;
   const auto truth = whole.values<Rgba8>("color");
-  const float spacing = medianSpacing(weldAndOrder(whole.positions()));
+  Progress progress;
+  const std::vector<double> mass = discretize(whole, {}, progress).mass;
+  const auto spacing =
+      static_cast<float>(std::sqrt(std::accumulate(mass.begin(), mass.end(), 0.0) / whole.size()));
   Quality quality;
   for (std::uint64_t seed = 1; seed <= kDraws; ++seed) {
     const std::vector<Index> masked = tenDiscs(whole, radiusInSpacings * spacing, seed);
