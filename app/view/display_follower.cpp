@@ -34,8 +34,9 @@ Look DisplayFollower::fitting(const PointSet& points, Look look) const {
   if (!colors.attribute.empty() && !points.has(colors.attribute)) colors = {};
   const Attribute* saturation = points.find(colors.saturationBy);
   if (!colors.saturationBy.empty() && (!saturation || !isScalar(*saturation))) colors.saturationBy.clear();
-  const Attribute* selection = points.find(kSelection);
-  colors.selection = selection && isScalar(*selection) ? kSelection : "";
+  const std::string marked = look.marked.empty() ? kSelection : look.marked;
+  const Attribute* selection = points.find(marked);
+  colors.selection = selection && isScalar(*selection) ? marked : "";
   const Attribute* glyphs = points.find(look.glyphs);
   if (!glyphs || glyphs->type() != AttributeType::kVector3) look.glyphs.clear();
   return look;
@@ -85,6 +86,10 @@ bool DisplayFollower::moved(const PointSet& points) const {
          displayNormals_ != columnOf(points, "display_normal");
 }
 
+std::string DisplayFollower::marked() const {
+  return wanted_.marked.empty() ? kSelection : wanted_.marked;
+}
+
 bool DisplayFollower::shows(const std::string& column) const {
   const ColorSource& colors = look_.colors;
   const std::string shown = colors.attribute.empty() ? "color" : colors.attribute;
@@ -99,7 +104,7 @@ std::optional<SceneChange> DisplayFollower::follow(const PointSet& points, const
   for (const Edit::Touched& touched : change.columns) {
     if (!shows(touched.name)) continue;
     const bool isLine = touched.name == look_.glyphs;
-    const bool isNew = touched.name == kSelection && look_.colors.selection.empty();
+    const bool isNew = touched.name == marked() && look_.colors.selection.empty();
     if (!touched.rows || isLine || isNew || rows.size() + touched.rows->size() > points.size() / kFewOfAll) {
       return restate(points, false);
     }

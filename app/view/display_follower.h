@@ -31,6 +31,7 @@ class DisplayFollower {
   Restate restate(const PointSet& points, bool moved);
   bool shows(const std::string& column) const;
   bool moved(const PointSet& points) const;
+  std::string marked() const;
   void remember(const PointSet& points);
 
   Look wanted_, look_;

@@ -174,18 +174,37 @@ void FrameMaker::draw(float tau, Accumulate accumulate, const View& view, const 
   shownRevision_ = revision_;
 }
 
+View FrameMaker::drawnSize(const View& view, int coarseness) const {
+  View drawn = view;
+  drawn.width = (view.width + coarseness - 1) / coarseness;
+  drawn.height = (view.height + coarseness - 1) / coarseness;
+  drawn.focalPx = view.focalPx / static_cast<float>(coarseness);
+  // The same center, where sizes are odd.
+  drawn.jitterPx = view.centerPx() / static_cast<float>(coarseness) -
+                   0.5f * glm::vec2(static_cast<float>(drawn.width), static_cast<float>(drawn.height));
+  return drawn;
+}
+
 // What must be seen at once: as fine as the time allows.
 bool FrameMaker::drawCoarse() {
-  const float tau = std::max(rate_.tauFor(motionBudget), RateControl::kFinest);
-  draw(tau, Accumulate::kStartAnew, *view_, nullptr);
-  rate_.drew(splats_, tau_, milliseconds_);
-  stage_ = tau_ <= RateControl::kFinest ? Stage::kConverged : Stage::kCoarse;
+  // Most of the time may go to splats, not to pixels.
+  constexpr double kMostForPixels = 0.6;
+  const bool coarsens = mayCoarsenPixels && isMoving(Clock::now()) && glyphs_.empty() &&
+                        rate_.pictureCost() > kMostForPixels * motionBudget;
+  coarseness_ = coarsens ? 2 : 1;
+  RateControl& rate = coarsens ? coarseRate_ : rate_;
+  const float tau = std::max(rate.tauFor(motionBudget), RateControl::kFinest);
+  draw(tau, Accumulate::kStartAnew, drawnSize(*view_, coarseness_), nullptr);
+  rate.drew(splats_, tau_, milliseconds_);
+  const bool isFinest = tau_ <= RateControl::kFinest && coarseness_ == 1;
+  stage_ = isFinest ? Stage::kConverged : Stage::kCoarse;
   averaged_ = 0;
   return true;
 }
 
 bool FrameMaker::refinePicture(const Progress* interrupt) {
   draw(RateControl::kFinest, Accumulate::kStartAnew, *view_, interrupt);
+  coarseness_ = 1;
   stage_ = Stage::kConverged;
   averaged_ = 0;
   return true;
@@ -228,7 +247,8 @@ std::optional<Unrefined> FrameMaker::takeUnrefined() {
 }
 
 FrameNotes FrameMaker::notes() const {
-  FrameNotes notes{.view = drawnView_,
+  FrameNotes notes{.view = view_.value_or(View()),
+                   .coarseness = coarseness_,
                    .splats = splats_,
                    .tau = tau_,
                    .milliseconds = milliseconds_,
@@ -236,14 +256,13 @@ FrameNotes FrameMaker::notes() const {
                    .averaged = stage_ == Stage::kAveraged ? kAveragedFrames : 1,
                    .surface = surfaceNumber_,
                    .revision = shownRevision_};
-  notes.view.jitterPx = {0, 0};
   return notes;
 }
 
 Frame FrameMaker::frame() {
   Frame frame{notes(), renderer_->image(), renderer_->depth()};
-  if (!glyphs_.empty()) drawGlyphs(frame.image, frame.depth, frame.view, glyphs_, kGlyphColor);
-  if (!lines_.empty()) drawGlyphs(frame.image, frame.depth, frame.view, lines_, kGlyphColor);
+  if (!glyphs_.empty()) drawGlyphs(frame.image, frame.depth, drawnView_, glyphs_, kGlyphColor);
+  if (!lines_.empty()) drawGlyphs(frame.image, frame.depth, drawnView_, lines_, kGlyphColor);
   return frame;
 }
 

@@ -18,8 +18,9 @@ namespace stipple {
 
 /// What is known of a picture.
 struct FrameNotes {
-  View view;
-  Index splats = 0;  ///< drawn; 0: triangles
+  View view;           ///< at full size
+  int coarseness = 1;  ///< a pixel of image and depth is so many of the view, in both directions
+  Index splats = 0;    ///< drawn; 0: triangles
   float tau = 0;
   double milliseconds = 0;
   bool isConverged = false;    ///< nothing finer will come, but for antialiasing
@@ -31,7 +32,7 @@ struct FrameNotes {
 /// A finished picture.
 struct Frame : FrameNotes {
   Image image;
-  std::vector<float> depth;  ///< by pixel, infinite where the background shows
+  std::vector<float> depth;  ///< by pixel of the image, infinite where the background shows
 };
 
 /// Other points than before, or rows came or went.
@@ -105,6 +106,8 @@ class FrameMaker {
 
   /// Milliseconds that a picture may take while something moves.
   double motionBudget = 24;
+  /// Pixels may be twice as large while the view moves, where they take most of the time.
+  bool mayCoarsenPixels = false;
 
  private:
   void replaceSurface(NewSurface&& fresh, const Progress* progress);
@@ -115,6 +118,7 @@ class FrameMaker {
   bool drawsMesh() const;
   void draw(float tau, Accumulate accumulate, const View& view, const Progress* progress);
   bool drawCoarse();
+  View drawnSize(const View& view, int coarseness) const;
   bool refinePicture(const Progress* interrupt);
   bool averagePicture(const Progress* interrupt);
   bool redrawTouched();
@@ -130,7 +134,7 @@ class FrameMaker {
   std::vector<Glyph> glyphs_, lines_;
   std::optional<View> view_;
   Appearance appearance_;
-  RateControl rate_;
+  RateControl rate_, coarseRate_;  // with plain and with coarse pixels
   CutMemory cutMemory_;
   std::optional<Unrefined> unrefined_;
   // Colored otherwise since the colors that a better hierarchy will come with; none: too many to list.
@@ -145,6 +149,7 @@ class FrameMaker {
   float tau_ = 0;
   double milliseconds_ = 0;
   View drawnView_;
+  int coarseness_ = 1;  // of the picture
 };
 
 }  // namespace stipple

@@ -23,7 +23,10 @@ class FrameWorker::Interrupt final : public Progress {
 };
 
 FrameWorker::FrameWorker(std::unique_ptr<Renderer> renderer, std::function<void()> wake)
-    : refiner_(requests_), maker_(std::move(renderer)), wake_(std::move(wake)), thread_([this] { work(); }) {}
+    : refiner_(requests_), maker_(std::move(renderer)), wake_(std::move(wake)) {
+  maker_.mayCoarsenPixels = true;
+  thread_ = std::thread([this] { work(); });
+}
 
 FrameWorker::~FrameWorker() {
   {

@@ -26,16 +26,25 @@ void RateControl::drew(Index splats, float tau, double milliseconds) {
   lastSplats_ = n;
 }
 
-float RateControl::tauFor(double milliseconds) {
-  if (weight_ == 0 || lastSplats_ < 1) return told_;
-  // A line through the frames, drawn to the cost believed at first.
+// Drawn to the cost of a splat that is believed at first.
+RateControl::Cost RateControl::cost() const {
   const double meanSplats = splats_ / weight_, meanTime = time_ / weight_;
   const double spread = std::max(0.0, squares_ / weight_ - meanSplats * meanSplats);
   const double common = products_ / weight_ - meanSplats * meanTime;
   const double prior = kPriorSpread * kPriorSpread * 0.05;
-  const double cost = std::max(1e-6, (common + prior * kSplatCost) / (spread + prior));
-  const double fixed = std::max(0.0, meanTime - cost * meanSplats);
-  const double affordable = std::max((milliseconds - fixed) / cost, 0.02 * lastSplats_);
+  const double ofSplat = std::max(1e-6, (common + prior * kSplatCost) / (spread + prior));
+  return {.ofSplat = ofSplat, .ofPicture = std::max(0.0, meanTime - ofSplat * meanSplats)};
+}
+
+double RateControl::pictureCost() const {
+  return weight_ > 0 ? cost().ofPicture : 0;
+}
+
+float RateControl::tauFor(double milliseconds) {
+  if (weight_ == 0 || lastSplats_ < 1) return told_;
+  const auto [ofSplat, ofPicture] = cost();
+  const double forSplats = std::max(milliseconds - ofPicture, 0.5 * ofPicture);
+  const double affordable = std::max(forSplats / ofSplat, 0.02 * lastSplats_);
   // Nodes of a cut go with 1 / tau^2.
   const float wanted = lastTau_ * static_cast<float>(std::sqrt(lastSplats_ / affordable));
   const float tau = std::clamp(wanted, std::max(kFinest, told_ / 1.5f), std::min(kCoarsest, told_ * 2));

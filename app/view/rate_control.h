@@ -14,10 +14,19 @@ class RateControl {
 
   /// A frame of `splats` nodes at `tau`, in milliseconds from the beginning of the cut to the picture.
   void drew(Index splats, float tau, double milliseconds);
-  /// For a frame of about `milliseconds` of the same view.
+  /// For a frame of about `milliseconds` of the same view. Where the picture alone takes longer, splats get
+  /// half as much time as it does.
   float tauFor(double milliseconds);
+  /// What a picture costs by itself, milliseconds; 0 while nothing is known.
+  double pictureCost() const;
 
  private:
+  /// A line through the frames.
+  struct Cost {
+    double ofSplat, ofPicture;
+  };
+  Cost cost() const;
+
   double weight_ = 0, splats_ = 0, time_ = 0, squares_ = 0, products_ = 0;  // fading sums
   float lastTau_ = 6;
   double lastSplats_ = 0;

@@ -33,6 +33,8 @@ class CpuViewport final : public QWidget, public Viewport {
  private:
   void takePicture();
   void compose();
+  void composeRow(int y, QRgb* row, int width) const;
+  float depthAt(int x, int y) const;
 
   QImage composed_;
   std::shared_ptr<const Frame> frame_;

@@ -14,6 +14,28 @@
 
 namespace stipple {
 
+namespace {
+
+// The widget's context while it lives; within paintGL() it is current already and stays so.
+class CurrentContext {
+ public:
+  explicit CurrentContext(QOpenGLWidget& widget)
+      : widget_(widget), wasCurrent_(QOpenGLContext::currentContext() == widget.context()) {
+    if (!wasCurrent_) widget_.makeCurrent();
+  }
+  ~CurrentContext() {
+    if (!wasCurrent_) widget_.doneCurrent();
+  }
+  CurrentContext(const CurrentContext&) = delete;
+  CurrentContext& operator=(const CurrentContext&) = delete;
+
+ private:
+  QOpenGLWidget& widget_;
+  bool wasCurrent_;
+};
+
+}  // namespace
+
 GlViewport::GlViewport(QWidget* parent) : QOpenGLWidget(parent), refiner_(requests_) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
@@ -26,13 +48,12 @@ GlViewport::~GlViewport() {
 
 void GlViewport::releaseContext() {
   if (!maker_) return;
-  makeCurrent();
+  const CurrentContext current(*this);
   if (hasOverlayRenderer_ && overlayContext) {
     overlayContext->makeCurrent();
     ImGui_ImplOpenGL3_Shutdown();
   }
   maker_.reset();
-  doneCurrent();
 }
 
 void GlViewport::post(SceneChange change, std::uint64_t revision) {
@@ -61,27 +82,22 @@ std::optional<FrameNotes> GlViewport::notes() const {
 
 std::optional<Picked> GlViewport::pickAt(const glm::vec2& px) {
   if (!maker_ || !notes_) return {};
-  makeCurrent();
+  const CurrentContext current(*this);
   const auto pick = maker_->renderer().pick(static_cast<int>(px.x), static_cast<int>(px.y));
-  doneCurrent();
   if (!pick) return {};
   return Picked{.position = pick->position, .depth = pick->depth};
 }
 
 std::vector<float> GlViewport::depthPicture() {
   if (!maker_ || !notes_) return {};
-  makeCurrent();
-  std::vector<float> depth = maker_->renderer().depth();
-  doneCurrent();
-  return depth;
+  const CurrentContext current(*this);
+  return maker_->renderer().depth();
 }
 
 Image GlViewport::picture() {
   if (!maker_ || !notes_) return {};
-  makeCurrent();
-  Image image = maker_->frame().image;
-  doneCurrent();
-  return image;
+  const CurrentContext current(*this);
+  return maker_->frame().image;
 }
 
 void GlViewport::initializeGL() {
@@ -111,10 +127,11 @@ void GlViewport::drawOverlay() {
   overlayContext->makeCurrent();
   if (!hasOverlayRenderer_) hasOverlayRenderer_ = ImGui_ImplOpenGL3_Init("#version 450 core");
   if (atlasRevision_ != overlayContext->atlasRevision()) {
-    ImGui_ImplOpenGL3_DestroyFontsTexture();
-    ImGui_ImplOpenGL3_CreateFontsTexture();
+    // Made anew, with all else that is missing, by the next call.
+    ImGui_ImplOpenGL3_DestroyDeviceObjects();
     atlasRevision_ = overlayContext->atlasRevision();
   }
+  ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplOpenGL3_RenderDrawData(const_cast<ImDrawData*>(&drawing));
 }
 

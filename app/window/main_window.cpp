@@ -14,6 +14,7 @@
 #include <QTabBar>
 #include <QToolBar>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/window/attribute_panel.h"
 #include "app/window/first_cards.h"
@@ -98,7 +99,7 @@ QDockWidget* MainWindow::addDock(const QString& title, QWidget* content, const c
   scroll->setWidgetResizable(true);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidget(content);
-  scroll->setMinimumWidth(300);
+  scroll->setMinimumWidth(330);
   dock->setWidget(scroll);
   addDockWidget(Qt::RightDockWidgetArea, dock);
   docks_.push_back(dock);
@@ -192,6 +193,7 @@ void MainWindow::connectParts() {
   connect(view_, &ViewController::toolChanged, this, &MainWindow::refreshActions);
   connect(attributePanel_, &AttributePanel::lookChanged, view_, &ViewController::relook);
   connect(attributePanel_, &AttributePanel::valuesMarked, view_, &ViewController::selectByValue);
+  connect(view_, &ViewController::strokeEnded, this, &MainWindow::followStroke);
   connect(view_, &ViewController::cardStarted, this, &MainWindow::startCard);
   connect(&workbench_, &Workbench::opened, this, [this](const QString& path) {
     settings_.addRecentFile(path);
@@ -202,9 +204,21 @@ void MainWindow::connectParts() {
 
 // The brush for what an operator declares as paintable; its parameter names the attribute from then on.
 void MainWindow::paintInput(const PaintableInput& input) {
-  view_->paintAttribute(input.attribute, {1});
-  if (!input.parameter.empty()) processPanel_->setParameter(input.parameter, input.attribute);
+  view_->paintAttribute(input.attribute, {1}, input.kind);
+  if (input.parameter.empty())
+    processPanel_->setRegion(input.attribute);
+  else
+    processPanel_->setParameter(input.parameter, input.attribute);
   view_->viewport().widget().setFocus();  // the keys of the brush
+}
+
+// Some operators are worth running after every stroke on what they are told by painting.
+void MainWindow::followStroke(const std::string& attribute) {
+  const Operator* op = workbench_.registry().find(processPanel_->chosen());
+  if (!op || !op->description().runsAtEndOfStroke || workbench_.isRunning()) return;
+  const auto& inputs = op->description().paintable;
+  if (std::ranges::find(inputs, attribute, &PaintableInput::attribute) != inputs.end())
+    processPanel_->start();
 }
 
 // At an empty start: lost work first, then what there is to try.
@@ -230,13 +244,18 @@ void MainWindow::startCard(const QString& id) {
     view_->paintAttribute("seeds", {1});
     processPanel_->setParameter("seeds", std::string("seeds"));
     workbench_.say(tr("Paint on one part, choose another label, paint on another part, then press Run."));
-  } else if (id == "creases" || id == "zebra") {
-    processPanel_->choose(id == "zebra" ? "texture_synthesis" : "classifier");
+  } else if (id == "zebra") {
+    processPanel_->choose("texture_synthesis");
+    processPanel_->setParameter("pattern", std::string("zebra"));
+    processPanel_->setParameter("color", true);
+    processPanel_->start();
+  } else if (id == "creases") {
+    processPanel_->choose("classifier");
     processPanel_->start();
   } else if (id == "repair") {
     processPanel_->choose("inpainting");
-    workbench_.say(tr("Paint over what is to be repaired, then press Run."));
-    view_->paintAttribute("mask", {1});
+    paintInput({.kind = PaintKind::kMask, .attribute = "mask"});
+    workbench_.say(tr("Paint over a blemish: it is repaired when the stroke ends."));
   } else {
     view_->paintAttribute("color", {222, 56, 32});
   }

@@ -82,6 +82,7 @@ class MainWindow final : public QMainWindow {
   void refreshActions();
   void refreshRecent();
   void paintInput(const PaintableInput& input);
+  void followStroke(const std::string& attribute);
   void offerCards();
   void startCard(const QString& id);
   void recoverLatest();

@@ -1,6 +1,7 @@
 #include "app/window/process_panel.h"
 
 #include <QComboBox>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -157,14 +158,20 @@ void ProcessPanel::rebuild() {
 void ProcessPanel::rebuildBrushes(const OperatorDescription& d) {
   delete brushes_->layout();
   qDeleteAll(brushes_->findChildren<QPushButton*>(Qt::FindDirectChildrenOnly));
-  auto* row = new QHBoxLayout(brushes_);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* grid = new QGridLayout(brushes_);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(5);
+  const bool isOnly = d.paintable.size() == 1;
+  int place = 0;
   for (const PaintableInput& input : d.paintable) {
     const QString title = QString::fromStdString(input.title.empty() ? input.attribute : input.title);
-    auto* button = new QPushButton(iconOf("paint"), tr("Paint %1").arg(title.toLower()), brushes_);
+    auto* button =
+        new QPushButton(iconOf("paint"), isOnly ? tr("Paint %1").arg(title.toLower()) : title, brushes_);
+    button->setToolTip(tr("Paint %1 on the surface").arg(title.toLower()));
     button->setObjectName(QString("paint_%1").arg(QString::fromStdString(input.attribute)));
     connect(button, &QPushButton::clicked, this, [this, input] { emit paintRequested(input); });
-    row->addWidget(button);
+    grid->addWidget(button, place / 2, place % 2, 1, isOnly ? 2 : 1);
+    ++place;
   }
   brushes_->setVisible(!d.paintable.empty());
 }
@@ -181,7 +188,10 @@ void ProcessPanel::refreshRegions(const OperatorDescription& d) {
       region_->addItem(tr("where %1 is not 0").arg(QString::fromStdString(name)),
                        QString::fromStdString(name));
   }
-  region_->setCurrentIndex(std::max(0, region_->findData(before)));
+  const int wanted = region_->findData(QString::fromStdString(wantedRegion_));
+  const bool isThere = !wantedRegion_.empty() && wanted >= 0;
+  region_->setCurrentIndex(isThere ? wanted : std::max(0, region_->findData(before)));
+  if (isThere) wantedRegion_.clear();
   const bool isUsed = d.region != RegionUse::kNone;
   region_->setVisible(isUsed);
   regionTitle_->setVisible(isUsed);
@@ -200,6 +210,11 @@ void ProcessPanel::setParameter(const std::string& id, const ParameterValue& val
   if (!d) return;
   kept_.at(d->id).set(id, value);
   rebuild();
+}
+
+void ProcessPanel::setRegion(const std::string& attribute) {
+  wantedRegion_ = attribute;
+  if (const OperatorDescription* d = description()) refreshRegions(*d);
 }
 
 void ProcessPanel::start(bool paused) {

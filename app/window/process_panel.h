@@ -29,6 +29,8 @@ class ProcessPanel final : public QWidget {
   std::string chosen() const;
   /// Sets a parameter of the chosen operator, as its field would.
   void setParameter(const std::string& id, const ParameterValue& value);
+  /// The region of the chosen operator, from when there is such an attribute.
+  void setRegion(const std::string& attribute);
   void start(bool paused = false);
 
  signals:
@@ -55,6 +57,7 @@ class ProcessPanel final : public QWidget {
   QToolButton *pause_, *step_, *stop_, *cancel_;
   QProgressBar* progress_;
   std::map<std::string, Parameters> kept_;  // what was set for operators chosen before
+  std::string wantedRegion_;
   std::vector<std::string> shownAttributes_;
 };
 

@@ -10,6 +10,7 @@ namespace stipple {
 struct ProcessState {
   std::string operatorId, title, message;
   bool isPaused = false;
+  bool isInStep = false;  ///< also while paused, until the step that was going on ends
   double fraction = 0;
   std::optional<double> secondsLeft = {};
   int steps = 0;

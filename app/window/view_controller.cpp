@@ -51,10 +51,13 @@ ViewController::ViewController(Workbench& workbench, std::unique_ptr<Viewport> v
   connect(&workbench, &Workbench::previewChanged, this, &ViewController::followPreview);
   connect(&workbench, &Workbench::previewEnded, this, &ViewController::relook);
   connect(&workbench, &Workbench::processChanged, &viewport_->widget(), qOverload<>(&QWidget::update));
+  connect(&workbench, &Workbench::distanceReady, this, &ViewController::measureAgain);
   connect(&workbench, &Workbench::said, this, [this](const QString& sentence, const QString& details) {
     overlayView_.say(sentence.toStdString(), details.toStdString());
     viewport_->widget().update();
   });
+  paintSettings_.radiusPx *= viewport_->widget().devicePixelRatioF();
+  brush_.set(paintSettings_);
   overlayClock_.start();
 }
 
@@ -139,6 +142,7 @@ void ViewController::relook() {
 void ViewController::setTool(Tool tool) {
   if (painting_.isActive()) return;
   if (tool != tool_) forgetPlaces();
+  if (tool != Tool::kOrbit) overlayView_.cards.clear();
   tool_ = tool;
   outline_.clear();
   BrushSettings settings = paintSettings_;
@@ -152,18 +156,30 @@ void ViewController::setTool(Tool tool) {
   brush_.set(settings);
   if (isBrush()) askForDistance();
   updateCursor();
+  viewport_->widget().setFocus();  // for the keys of the tool
   viewport_->widget().update();
   emit toolChanged();
 }
 
-void ViewController::paintAttribute(const std::string& attribute, std::vector<double> value) {
+void ViewController::paintAttribute(const std::string& attribute, std::vector<double> value, PaintKind kind) {
   paintSettings_.attribute = attribute;
   paintSettings_.value = std::move(value);
+  maskAttribute_ = kind == PaintKind::kMask ? attribute : "";
   setTool(Tool::kPaint);
+  showPainted(attribute);
+}
+
+// What is painted is shown, as soon as it is there; masks over the colors that they are about.
+void ViewController::showPainted(const std::string& attribute) {
   OpenScan* scan = workbench_.current();
-  if (!scan || scan->look.colors.attribute == attribute) return;
-  // What is painted is shown, as soon as it is there.
-  scan->look.colors = ColorSource{.attribute = attribute};
+  if (!scan) return;
+  Look& look = scan->look;
+  const bool isMask = attribute == maskAttribute_ && !attribute.empty();
+  const std::string shown = isMask ? look.colors.attribute : attribute == "color" ? "" : attribute;
+  const std::string marked = isMask ? attribute : "";
+  if (look.colors.attribute == shown && look.marked == marked) return;
+  if (look.colors.attribute != shown) look.colors = ColorSource{.attribute = shown};
+  look.marked = marked;
   relook();
 }
 
@@ -294,7 +310,7 @@ bool ViewController::handleBrush(const PointerEvent& event) {
   const BrushResponse response = brush_.handle(event, canvas(pickAt));
   if (response.phase != StrokePhase::kNone) followStroke(response);
   if (response.redraw) viewport_->widget().update();
-  if (response.taken && brush_.settings().radius != paintSettings_.radius) {
+  if (response.taken) {
     paintSettings_.radius = brush_.settings().radius;
     paintSettings_.radiusPx = brush_.settings().radiusPx;
     paintSettings_.strength = brush_.settings().strength;
@@ -324,14 +340,19 @@ void ViewController::beginPainting() {
     };
   }
   painting_.begin(scan.document, scan.distance, stroke, std::move(filter));
+  if (stroke.attribute == maskAttribute_) showPainted(stroke.attribute);
 }
 
 void ViewController::followStroke(const BrushResponse& response) {
+  bool isLaidDown = false;
   Document& document = workbench_.current()->document;
   try {
     if (response.phase == StrokePhase::kBegins) beginPainting();
     if (painting_.isActive()) painting_.lay(document, response.dabs);
-    if (painting_.isActive() && response.phase == StrokePhase::kEnds) painting_.end(document);
+    if (painting_.isActive() && response.phase == StrokePhase::kEnds) {
+      painting_.end(document);
+      isLaidDown = true;
+    }
     if (painting_.isActive() && response.phase == StrokePhase::kCancelled) painting_.cancel(document);
   } catch (const Error& error) {
     if (painting_.isActive()) painting_.cancel(document);
@@ -340,6 +361,7 @@ void ViewController::followStroke(const BrushResponse& response) {
   }
   const bool isOver = response.phase == StrokePhase::kEnds || response.phase == StrokePhase::kCancelled;
   workbench_.tellPointsChanged(isOver ? Workbench::Change::kDone : Workbench::Change::kGoesOn);
+  if (isLaidDown) emit strokeEnded(brush_.stroke().stroke.attribute);
 }
 
 // What is painted so far stays; the mouse may still be down.

@@ -15,6 +15,7 @@
 #include "app/window/overlay_view.h"
 #include "app/window/theme.h"
 #include "app/window/viewport.h"
+#include "plugins/api/operator.h"
 
 class QKeyEvent;
 
@@ -40,7 +41,8 @@ class ViewController final : public QObject {
   Tool tool() const { return tool_; }
   void setTool(Tool tool);
   /// What the brush paints, as an operator's declared input asks for it.
-  void paintAttribute(const std::string& attribute, std::vector<double> value);
+  void paintAttribute(const std::string& attribute, std::vector<double> value,
+                      PaintKind kind = PaintKind::kLabels);
   const BrushSettings& brush() const { return brush_.settings(); }
   void setBrush(const BrushSettings& settings);
 
@@ -64,6 +66,7 @@ class ViewController final : public QObject {
   void pictureChanged();
   /// A hint of the first start was chosen.
   void cardStarted(const QString& id);
+  void strokeEnded(const std::string& attribute);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -75,11 +78,13 @@ class ViewController final : public QObject {
   bool handleOutline(const PointerEvent& event);
   bool handleClickTool(const PointerEvent& event);
   void beginPainting();
+  void showPainted(const std::string& attribute);
   void followStroke(const BrushResponse& response);
   void endStroke();
   void selectOutline();
   void inspectAt(const Picked& picked);
   void measureTo(const Picked& picked);
+  void measureAgain();
   void forgetPlaces();
   void navigate(const PointerEvent& event);
   void showCurrent();
@@ -117,6 +122,7 @@ class ViewController final : public QObject {
   std::optional<Picked> inspected_;
   std::vector<ColoredSegment> inspectedLines_;
   std::string inspectedText_;
+  std::string maskAttribute_;    // painted as a mask: shown over the colors
   BrushSettings paintSettings_;  // while the selection brush is at hand
   std::optional<glm::vec2> mouse_;
   bool overlayHasMouse_ = false;

@@ -115,16 +115,22 @@ std::vector<ScreenText> ViewController::overlayTexts() const {
 }
 
 void ViewController::measureTo(const Picked& picked) {
-  OpenScan& scan = *workbench_.current();
   if (measured_.size() == 2) measured_.clear();
   measured_.push_back(picked);
+  measureAgain();
+}
+
+// Along the surface too, once distances are known.
+void ViewController::measureAgain() {
+  const OpenScan* scan = workbench_.current();
   measuredPath_.clear();
   measuredText_.clear();
-  if (measured_.size() < 2) return;
-  const float straight = glm::length(measured_[1].position - measured_[0].position);
-  measuredText_ = fmt::format("{:.5g}", straight);
-  if (!scan.hasDistance()) return askForDistance();
-  const Measurement found = measure(*scan.distance, measured_[0].position, measured_[1].position);
+  if (!scan || measured_.size() < 2) return;
+  const glm::vec3 from = measured_[0].position, to = measured_[1].position;
+  measuredText_ = fmt::format("{:.5g}", glm::length(to - from));
+  viewport_->widget().update();
+  if (!scan->hasDistance()) return askForDistance();
+  const Measurement found = measure(*scan->distance, from, to);
   measuredPath_ = found.path;
   if (found.alongSurface) measuredText_ += fmt::format(", along the surface {:.5g}", *found.alongSurface);
 }

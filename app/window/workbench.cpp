@@ -21,6 +21,11 @@ namespace {
 
 constexpr int kTick = 12;  // milliseconds between looks at what goes on
 
+// Models that come with triangles mostly stand along Y; bare points, as scanners give them, along Z.
+UpAxis likelyUpAxis(const PointSet& points) {
+  return points.triangles().empty() ? UpAxis::kZ : UpAxis::kY;
+}
+
 std::filesystem::path sampleFile() {
   const QDir programs(QCoreApplication::applicationDirPath());
   return programs.absoluteFilePath("../share/stipple/sample/spot.ply").toStdString();
@@ -95,10 +100,12 @@ void Workbench::addScan(ReadResult read, const std::filesystem::path& path, bool
 
 void Workbench::showScan(std::unique_ptr<OpenScan> scan) {
   scan->title = QString::fromStdString(scan->document.path().filename().string());
+  scan->camera.setUpAxis(likelyUpAxis(scan->document.points()));
   scan->camera.frame(scan->extent.sphere);
   emit leavingCurrent();
   // A sample that nobody has touched gives way.
-  const bool onlySample = scans_.size() == 1 && scans_[0]->isSample && scans_[0]->document.history().size() == 0;
+  const bool onlySample =
+      scans_.size() == 1 && scans_[0]->isSample && scans_[0]->document.history().size() == 0;
   if (onlySample && !isBusyWith(*scans_[0])) scans_.clear();
   scans_.push_back(std::move(scan));
   current_ = static_cast<int>(scans_.size()) - 1;
@@ -108,7 +115,7 @@ void Workbench::showScan(std::unique_ptr<OpenScan> scan) {
 
 bool Workbench::isBusyWith(const OpenScan& scan) const {
   return (job_ && job_->scan == &scan) || (saving_ && saving_->scan == &scan) ||
-      (playing_ && playing_->scan == &scan) || (preparing_ && preparing_->scan == &scan);
+         (playing_ && playing_->scan == &scan) || (preparing_ && preparing_->scan == &scan);
 }
 
 void Workbench::keepJournal(OpenScan& scan) {

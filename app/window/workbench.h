@@ -133,7 +133,7 @@ class Workbench final : public QObject {
   void followJob();
   void finishJob();
   void commitJob();
-  void showResult(OpenScan& scan, const std::string& operatorId);
+  void showResult(OpenScan& scan, const std::string& operatorId, const std::vector<Edit::Touched>& touched);
   std::string makeTitle(const std::string& operatorId) const;
   std::unique_ptr<PluginSentinel::Watch> watchPlugin(const std::string& operatorId) const;
   void takeMessages();

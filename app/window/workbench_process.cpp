@@ -80,6 +80,7 @@ std::optional<ProcessState> Workbench::process() const {
                       .title = job_->title,
                       .message = status.progress.message,
                       .isPaused = status.state == JobState::kPaused,
+                      .isInStep = status.inStep,
                       .fraction = status.progress.fraction,
                       .secondsLeft = status.progress.secondsLeft,
                       .steps = status.steps,
@@ -144,13 +145,14 @@ void Workbench::commitJob() {
     const auto done = job_->job.takeResult();
     if (!done) return;
     MergedRun merged = mergeRun(*done, scan.document.points());
+    const std::vector<Edit::Touched> touched = merged.edit.touched();
     if (merged.edit.empty()) say(tr("%1 changed nothing.").arg(QString::fromStdString(job_->title)));
     scan.document.commit(job_->title, std::move(merged.edit), Recipe::Step(job_->job.invocation()));
     if (merged.keptByUser > 0)
       say(tr("%n point(s) that were changed meanwhile keep what was done by hand.", "",
              static_cast<int>(merged.keptByUser)));
     if (!done->report.warnings.empty()) say(QString::fromStdString(done->report.warnings.front()));
-    showResult(scan, job_->job.invocation().operatorId);
+    showResult(scan, job_->job.invocation().operatorId, touched);
   } catch (const std::exception& error) {
     say(sentenceOf(error));
   }
@@ -165,13 +167,18 @@ void Workbench::finishJob() {
   emit processChanged();
 }
 
-// The attribute that the operator is about is what the user wants to see.
-void Workbench::showResult(OpenScan& scan, const std::string& operatorId) {
+// The attribute that the operator is about is what the user wants to see, unless it changed what is shown.
+void Workbench::showResult(OpenScan& scan, const std::string& operatorId,
+                           const std::vector<Edit::Touched>& touched) {
+  scan.look.marked.clear();
+  const std::string& shown = scan.look.colors.attribute;
+  if (std::ranges::find(touched, shown.empty() ? "color" : shown, &Edit::Touched::name) != touched.end())
+    return;
   for (const std::string& name : registry().find(operatorId)->description().writes) {
     const Attribute* attribute = scan.document.points().find(name);
     if (!attribute || attribute->type() == AttributeType::kVector3) continue;
     const bool isColor = attribute->type() == AttributeType::kColor;
-    if (scan.look.colors.attribute != name) scan.look.colors = ColorSource{.attribute = isColor ? "" : name};
+    scan.look.colors = ColorSource{.attribute = isColor ? "" : name};
     return;
   }
 }

@@ -21,9 +21,8 @@ class Segmentation final : public Operator {
       .help = "Labels spread from seeds over the surface by diffusion and stop at creases.",
       .parameters = segmentationParameters(),
       .writes = {"segment", "segment_signal"},
-      .paintable =
-          {{.parameter = "seeds", .kind = PaintKind::kLabels, .attribute = "seeds", .title = "Seeds"}},
-      .runsAtEndOfStroke = true};
+      .paintable = {
+          {.parameter = "seeds", .kind = PaintKind::kLabels, .attribute = "seeds", .title = "Seeds"}}};
 };
 
 }  // namespace

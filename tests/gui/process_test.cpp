@@ -117,9 +117,9 @@ TEST_F(Process, IsPausedSteppedAndStopped) {
   waitFor("some steps", [this] { return steps() >= 2; });
   pressPanel("process_pause");
   waitFor("the pause", [this] { return workbench().process()->isPaused; });
-  int at = -1;
   // The step that was going on when it was paused may still end.
-  waitFor("a quiet process", [&] { return std::exchange(at, steps()) == steps(); });
+  waitFor("a quiet process", [this] { return !workbench().process()->isInStep; });
+  const int at = steps();
   pressPanel("process_step");
   waitFor("one step", [&] { return steps() == at + 1; });
   pressPanel("process_step");

@@ -1,0 +1,54 @@
+#include "plugins/inpainting/inpainting.h"
+
+#include "plugins/api/fe_parameters.h"
+#include "plugins/inpainting/inpainting_run.h"
+
+namespace stipple {
+
+namespace {
+
+std::vector<Parameter> inpaintingParameters() {
+  // The choices stand in the order of FillMethod.
+  return withFeParameters(
+      {{.id = "attribute",
+        .title = "Attribute",
+        .type = ParameterType::kAttribute,
+        .defaultValue = "color",
+        .help = "What is filled in: colors (in linear light), numbers or vectors."},
+       {.id = "method",
+        .title = "Method",
+        .type = ParameterType::kEnum,
+        .defaultValue = "tensor",
+        .choices = {{"tensor", "Along edges"}, {"harmonic", "Harmonic"}, {"biharmonic", "Biharmonic"}},
+        .help = "tensor: edges of color run on, div(C A(u) grad u) = 0 with A small across them. harmonic: "
+                "div(C grad u) = 0, C small at creases, as in the paper. biharmonic: lap(lap u) = 0, smooth "
+                "across the rim, for shadings without edges."}});
+}
+
+class Inpainting final : public Operator {
+ public:
+  const OperatorDescription& description() const override { return description_; }
+  std::unique_ptr<Run> start(PointSet snapshot, Region region, const Parameters& parameters) const override {
+    return std::make_unique<InpaintingRun>(std::move(snapshot), std::move(region), parameters);
+  }
+
+ private:
+  OperatorDescription description_ = {
+      .id = "inpainting",
+      .title = "Inpainting",
+      .help =
+          "Repairs what is painted over: solves div(A grad u) = 0 inside the mask with u given around it.",
+      .region = RegionUse::kMask,
+      .parameters = inpaintingParameters(),
+      .writes = {"<attribute>"},
+      .paintable = {{.parameter = "", .kind = PaintKind::kMask, .attribute = "mask", .title = "Mask"}},
+      .runsAtEndOfStroke = true};
+};
+
+}  // namespace
+
+std::unique_ptr<Operator> makeInpainting() {
+  return std::make_unique<Inpainting>();
+}
+
+}  // namespace stipple
