@@ -46,11 +46,14 @@ void WindowTest::startWindow(ViewportKind kind) {
   std::vector<std::filesystem::path> folders = pluginFolders();
   folders.push_back(std::filesystem::path(STIPPLE_BINARY_DIR) / "tests/good_plugins");
   settings_ = std::make_unique<Settings>();
+  const Theme theme = settings_->theme().value_or(systemTheme());
+  applyTheme(*qApp, theme);
   workbench_ = std::make_unique<Workbench>(loadPlugins(folders), Workbench::Options{});
   QObject::connect(workbench_.get(), &Workbench::said,
                    [this](const QString& sentence) { said_.push_back(sentence); });
   window_ = std::make_unique<MainWindow>(*workbench_, *settings_,
                                          MainWindow::Options{.viewport = kind, .keepsQuiet = true});
+  view().setTheme(theme);
   window_->show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get(), 60'000));
   window_->activateWindow();
