@@ -209,7 +209,7 @@ TEST_P(Story, SavesWhatTheCommandLineMakesOfItsRecipe) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Story, testing::Values("cpu", "gl"),
+INSTANTIATE_TEST_SUITE_P(All, Story, testing::Values(STIPPLE_STORY_BACKEND),
                          [](const auto& chosen) { return std::string(chosen.param); });
 
 }  // namespace
