@@ -221,8 +221,13 @@ OverlayActions OverlayView::draw(const std::vector<ScreenLine>& lines, const std
   return actions;
 }
 
-void applyBrushActions(const BrushActions& actions, const std::vector<std::string>& attributes,
+bool applyBrushActions(const BrushActions& actions, const std::vector<std::string>& attributes,
                        const OpenScan& scan, BrushSettings& settings) {
+  const bool isAnything = actions.attribute || actions.color || actions.label || actions.addLabel ||
+                          actions.number || actions.radius || actions.strength || actions.spacing ||
+                          actions.radiusUnit || actions.symmetry || actions.onlyVisible ||
+                          actions.onlySelection;
+  if (!isAnything) return false;
   if (actions.attribute && static_cast<std::size_t>(*actions.attribute) < attributes.size()) {
     settings.attribute = attributes[static_cast<std::size_t>(*actions.attribute)];
     const Attribute* attribute = scan.document.points().find(settings.attribute);
@@ -258,6 +263,7 @@ void applyBrushActions(const BrushActions& actions, const std::vector<std::strin
   }
   if (actions.onlyVisible) settings.onlyVisible = *actions.onlyVisible;
   if (actions.onlySelection) settings.within = *actions.onlySelection ? "selection" : "";
+  return true;
 }
 
 }  // namespace stipple

@@ -66,8 +66,8 @@ class OverlayView {
   std::uint64_t countedColumn_ = 0;
 };
 
-/// What the user chose in the brush panel, put into the settings.
-void applyBrushActions(const BrushActions& actions, const std::vector<std::string>& attributes,
+/// What the user chose in the brush panel, put into the settings. False where that is nothing.
+bool applyBrushActions(const BrushActions& actions, const std::vector<std::string>& attributes,
                        const OpenScan& scan, BrushSettings& settings);
 
 }  // namespace stipple

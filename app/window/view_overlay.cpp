@@ -215,7 +215,7 @@ void ViewController::applyOverlay(const OverlayActions& actions) {
   settings.symmetryCenter = scan->document.points().origin() + Eigen::Vector3d(scan->extent.sphere.center.x,
                                                                                scan->extent.sphere.center.y,
                                                                                scan->extent.sphere.center.z);
-  applyBrushActions(actions.brush, overlayView_.paintedAttributes(), *scan, settings);
+  if (!applyBrushActions(actions.brush, overlayView_.paintedAttributes(), *scan, settings)) return;
   const bool isOther = actions.brush.attribute.has_value();
   setBrush(settings);
   if (isOther && tool_ != Tool::kSelect) {

@@ -83,8 +83,10 @@ void continueInto(const Hole& hole, std::span<const std::uint8_t> isClean, Struc
   for (Index site = 0; site < isClean.size(); ++site) {
     if (!isClean[site]) open.push_back(site);
   }
+  SparseMatrix stiffness = assembleStiffness(hole.discretization, progress);
+  makeSemidefinite(hole.discretization, stiffness);
   Eigen::MatrixXd entries = structure;
-  EllipticSolver(assembleStiffness(hole.discretization, progress), open,
+  EllipticSolver(stiffness, open,
                  {.method = open.size() < 50000 ? SolverMethod::kCholesky : SolverMethod::kAuto,
                   .tolerance = 1e-4,
                   .expectedSolves = 6},

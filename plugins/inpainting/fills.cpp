@@ -24,7 +24,10 @@ constexpr double kStandstill = 0.5 / 255;
 SparseMatrix creaseStiffness(const Hole& hole, const Progress& progress) {
   std::vector<double> diffusivity = hole.classifier;
   for (double& c : diffusivity) c = std::max(c, kLeastDiffusivity);
-  return assembleStiffness(hole.discretization, diffusivity, EdgeMean::kArithmetic, &progress);
+  SparseMatrix stiffness =
+      assembleStiffness(hole.discretization, diffusivity, EdgeMean::kArithmetic, &progress);
+  makeSemidefinite(hole.discretization, stiffness);
+  return stiffness;
 }
 
 // Root mean square over the unknown sites and channels, in units of the known range of each channel.
@@ -106,8 +109,9 @@ FillStep TensorFill::step(Hole& hole, const Progress& progress) {
     first_.reset();
   } else {
     const EdgeSource source = steps_ == 1 ? EdgeSource::kKnown : EdgeSource::kCurrent;
-    const SparseMatrix stiffness =
+    SparseMatrix stiffness =
         assembleStiffness(hole.discretization, edgeTensors(hole, source, &progress), &progress);
+    makeSemidefinite(hole.discretization, stiffness);
     EllipticSolver(stiffness, hole.unknown, solverFor(hole), &progress).solve(hole.values, &progress);
   }
   ++steps_;

@@ -73,6 +73,19 @@ void summarizeKnown(const PointSet& points, const Attribute& attribute, const Re
 
 }  // namespace
 
+void makeSemidefinite(const Discretization& d, SparseMatrix& stiffness) {
+  if (d.options.scheme != Scheme::kPaper && d.options.scheme != Scheme::kMesh) return;
+  for (Eigen::Index row = 0; row < stiffness.rows(); ++row) {
+    double sum = 0;
+    for (SparseMatrix::InnerIterator entry(stiffness, row); entry; ++entry) {
+      if (entry.col() == row) continue;
+      entry.valueRef() = std::min(entry.value(), 0.0);
+      sum += entry.value();
+    }
+    stiffness.coeffRef(row, row) = -sum;
+  }
+}
+
 Hole prepareHole(const PointSet& points, const Attribute& attribute, const Region& region,
                  const DiscretizationOptions& options, Progress& progress) {
   const std::vector<Index> masked = region.rows(points.size());

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "core/geometry/discretization.h"
+#include "core/fem/assembly.h"
 #include "core/points/region.h"
 
 namespace stipple {
@@ -24,6 +24,10 @@ struct Hole {
   /// Where known vectors are all of unit length, so are those that are filled in.
   bool areUnitVectors = false;
 };
+
+/// Schemes paper and mesh have weights below 0 at obtuse angles, with which div(A grad u) = 0 may have no
+/// stable solution: they become 0, rows still sum to 0. The other schemes stay as they are.
+void makeSemidefinite(const Discretization& d, SparseMatrix& stiffness);
 
 /// Throws InvalidInput where the attribute has no known value at all.
 Hole prepareHole(const PointSet& points, const Attribute& attribute, const Region& region,

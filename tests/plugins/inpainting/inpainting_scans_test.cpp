@@ -126,5 +126,28 @@ TEST(InpaintingScans, ColorsComeBackBetterThanFromTheNearestPoint) {
   }
 }
 
+// Coarse, thin and sharp: scheme paper and the cotangents of its file are indefinite on it.
+TEST(InpaintingScans, EverySchemeFillsACasting) {
+  STIPPLE_NEEDS_TEST_DATA();
+  Progress progress;
+  PointSet points = readPoints(testData("cad/casting.off"), progress).points;
+  std::vector<float> heights;
+  for (const Eigen::Vector3f& p : points.positions()) heights.push_back(p.x());
+  points.set("height", heights);
+  const auto [least, greatest] = std::ranges::minmax(heights);
+  const std::vector<Index> masked = rowsAround(points, points.positions()[2000], 0.15f * (greatest - least));
+  for (const char* scheme : {"voronoi", "element", "paper", "mesh"}) {
+    for (const char* method : {"tensor", "harmonic"}) {
+      const PointSet filled = inpaint(points, masked,
+                                      {{"attribute", std::string("height")},
+                                       {"scheme", std::string(scheme)},
+                                       {"method", std::string(method)}});
+      double sum = 0;
+      for (const Index row : masked) sum += std::abs(filled.values<float>("height")[row] - heights[row]);
+      EXPECT_LT(sum / static_cast<double>(masked.size()), 0.1 * (greatest - least)) << scheme << method;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace stipple
