@@ -1,7 +1,7 @@
 // The whole story with the program itself, and the same by the command line.
 #include <QListWidget>
 #include <QPushButton>
-#include <QTest>
+#include <QStatusBar>
 
 #include "core/io/point_io.h"
 #include "render/appearance/colormap.h"
@@ -16,7 +16,7 @@ namespace {
 /// Where things are on the screen when the program shows the bunny, and two places of it to paint.
 struct Places {
   QPoint paintSeeds, background;
-  QRect view, history;  // the first row
+  QRect view, history, status;  // of the history the first row, of the status line the right half
   std::vector<QPoint> firstStroke, secondStroke;
 };
 
@@ -51,6 +51,8 @@ class Story : public WindowTest, public testing::WithParamInterface<const char*>
                   .background = global(picture, {picture.width() - 12, picture.height() / 2}),
                   .view = {global(picture, {0, 0}), picture.size()},
                   .history = history().visualItemRect(history().item(0)),
+                  .status = {global(*window().statusBar(), window().statusBar()->rect().center()),
+                             global(*window().statusBar(), window().statusBar()->rect().bottomRight())},
                   .firstStroke = {},
                   .secondStroke = {}};
     places.history.moveTopLeft(global(*history().viewport(), places.history.topLeft()));
@@ -78,18 +80,20 @@ class Story : public WindowTest, public testing::WithParamInterface<const char*>
     return farthest;
   }
 
-  // Entries that the history shows: rows that are not empty.
-  static int shownEntries(const Places& places) {
+  static bool isPlain(const QImage& screen, const QRect& area) {
+    const int y = area.center().y();
+    for (int x = area.left() + 2; x < area.right() - 1; ++x) {
+      if (screen.pixel(x, y) != screen.pixel(area.left() + 2, y)) return false;
+    }
+    return true;
+  }
+
+  /// Nothing is prepared or run: the status line tells of nothing, and the history shows so many entries.
+  static bool isDone(const Places& places, int entries) {
     const QImage screen = Robot::screen();
-    const auto isEmpty = [&](const QRect& row) {
-      for (int x = row.left() + 2; x < row.right() - 1; ++x) {
-        if (screen.pixel(x, row.center().y()) != screen.pixel(row.left() + 2, row.center().y())) return false;
-      }
-      return true;
-    };
-    int entries = 0;
-    while (!isEmpty(places.history.translated(0, entries * places.history.height()))) ++entries;
-    return entries;
+    int shown = 0;
+    while (!isPlain(screen, places.history.translated(0, shown * places.history.height()))) ++shown;
+    return shown == entries && isPlain(screen, places.status);
   }
 
   // A patch of this color in the left half of the view, as the brush panel shows labels.
@@ -112,6 +116,17 @@ class Story : public WindowTest, public testing::WithParamInterface<const char*>
     return {};
   }
 
+  // The chosen label has a white rim.
+  static bool isChosen(const QPoint& swatch) {
+    const QImage around = Robot::screen().copy(QRect(swatch - QPoint(9, 16), swatch + QPoint(24, 24)));
+    int white = 0;
+    for (int y = 0; y < around.height(); ++y) {
+      for (int x = 0; x < around.width(); ++x)
+        white += QColor(around.pixel(x, y)).value() - QColor(around.pixel(x, y)).saturation() > 225;
+    }
+    return white > 20;
+  }
+
   static void answerDialog(const QString& title, const std::filesystem::path& path) {
     ASSERT_TRUE(Robot::waitForWindow(title)) << title.toStdString();
     Robot::focus(title);
@@ -125,17 +140,14 @@ class Story : public WindowTest, public testing::WithParamInterface<const char*>
     Robot::click(places.paintSeeds);
     std::optional<QPoint> second;
     ASSERT_TRUE(Robot::waitUntil([&] { return (second = findSwatch(places, labelColor(2))).has_value(); }));
-    // While the brush is being prepared a stroke is refused, and says so.
-    ASSERT_TRUE(Robot::waitUntil([&] {
-      Robot::drag(places.firstStroke, places.background);
-      return QTest::qWaitFor([] { return Robot::showsWindow(kModified); }, 3000);
-    }));
+    ASSERT_TRUE(Robot::waitUntil([&] { return isDone(places, 1); })) << "the brush is never ready";
+    Robot::drag(places.firstStroke, places.background);
+    ASSERT_TRUE(Robot::waitUntil([&] { return isDone(places, 2); })) << "the first stroke";
     Robot::click(*second);
-    const int entries = shownEntries(places);
-    ASSERT_TRUE(Robot::waitUntil([&] {
-      Robot::drag(places.secondStroke, places.background);
-      return QTest::qWaitFor([&] { return shownEntries(places) > entries; }, 3000);
-    }));
+    // A picture that takes long takes the click late.
+    ASSERT_TRUE(Robot::waitUntil([&] { return isChosen(*second); }));
+    Robot::drag(places.secondStroke, places.background);
+    ASSERT_TRUE(Robot::waitUntil([&] { return isDone(places, 3); })) << "the second stroke";
   }
 
   static constexpr const char* kModified = "bunny.ply\\* - Stipple";
@@ -161,15 +173,11 @@ TEST_P(Story, SavesWhatTheCommandLineMakesOfItsRecipe) {
 
   paintTwoSeeds(places);
   if (HasFatalFailure()) return;
-  const int painted = shownEntries(places);
-  EXPECT_GE(painted, 3) << "opened, and two strokes";
   Robot::key("ctrl+r");
-  ASSERT_TRUE(Robot::waitUntil([&] { return shownEntries(places) == painted + 1; }))
-      << "the segmentation never ended";
-  Robot::focus(kModified);
-  for (int i = 0; i < painted; ++i) Robot::key("ctrl+z");
+  ASSERT_TRUE(Robot::waitUntil([&] { return isDone(places, 4); })) << "the segmentation";
+  for (int i = 0; i < 3; ++i) Robot::key("ctrl+z");
   ASSERT_TRUE(Robot::waitForWindow(kUnmodified)) << "undone to the start, nothing is to be saved";
-  for (int i = 0; i < painted; ++i) Robot::key("ctrl+shift+z");
+  for (int i = 0; i < 3; ++i) Robot::key("ctrl+shift+z");
   ASSERT_TRUE(Robot::waitForWindow(kModified));
   Robot::key("ctrl+s");
   ASSERT_TRUE(Robot::waitForWindow(kUnmodified));

@@ -16,12 +16,12 @@ namespace {
 
 constexpr int kPatience = 60'000;  // milliseconds for Xvfb to come up on a busy machine
 
-[[noreturn]] void becomeXvfb(int numberTo, pid_t parent) {
+[[noreturn]] void becomeXvfb(int numberTo, pid_t parent, const std::string& size) {
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != parent) _exit(1);
   if (const int nowhere = open("/dev/null", O_WRONLY); nowhere >= 0) dup2(nowhere, STDERR_FILENO);
   const std::string descriptor = std::to_string(numberTo);
-  execlp("Xvfb", "Xvfb", "-displayfd", descriptor.c_str(), "-screen", "0", "1280x840x24", "-nolisten", "tcp",
+  execlp("Xvfb", "Xvfb", "-displayfd", descriptor.c_str(), "-screen", "0", size.c_str(), "-nolisten", "tcp",
          static_cast<char*>(nullptr));
   _exit(127);
 }
@@ -40,12 +40,13 @@ std::string readNumber(int from) {
 
 }  // namespace
 
-bool startVirtualScreen() {
+bool startVirtualScreen(int width, int height) {
   int ends[2];
   if (pipe(ends) != 0) return false;
   fcntl(ends[0], F_SETFD, FD_CLOEXEC);
   const pid_t parent = getpid();
-  if (fork() == 0) becomeXvfb(ends[1], parent);
+  const std::string size = std::to_string(width) + "x" + std::to_string(height) + "x24";
+  if (fork() == 0) becomeXvfb(ends[1], parent, size);
   close(ends[1]);
   const std::string number = readNumber(ends[0]);
   close(ends[0]);

@@ -49,7 +49,7 @@ struct Foreign {
   bool inHeaders;
 };
 const std::vector<Foreign> kForeign = {
-    {"Qt", {"Q"}, {"app/window", "tests/gui"}, true},
+    {"Qt", {"Q"}, {"app/window", "tests/gui", "tests/bench/gui"}, true},
     {"GL",
      {"epoxy/", "GL/", "GLES"},
      {"render/gl", "render/splat", "app/window", "tests/bench/render/naive_points"},
