@@ -34,27 +34,27 @@ Watchdog::Watchdog() {
   since_.start();
 }
 
-/// Notes which changes the picture had that was painted last.
+/// Notes what the picture was that was painted last.
 class BenchWindow::PaintCounter : public QObject {
  public:
   explicit PaintCounter(ViewController& view) : view_(view) {
     view.viewport().widget().installEventFilter(this);
   }
 
-  std::uint64_t revision() const { return revision_; }
+  const FrameNotes& notes() const { return notes_; }
 
  protected:
   bool eventFilter(QObject*, QEvent* event) override {
     if (event->type() != QEvent::Paint) return false;
-    const auto notes = view_.viewport().notes();
     // When this arrives, the widget has painted.
-    if (notes) QTimer::singleShot(0, this, [this, revision = notes->revision] { revision_ = revision; });
+    if (const auto notes = view_.viewport().notes())
+      QTimer::singleShot(0, this, [this, notes] { notes_ = *notes; });
     return false;
   }
 
  private:
   ViewController& view_;
-  std::uint64_t revision_ = 0;
+  FrameNotes notes_;
 };
 
 BenchWindow::BenchWindow(ViewportKind kind) {
@@ -84,7 +84,15 @@ double BenchWindow::waitFor(const std::function<bool()>& holds) {
 }
 
 double BenchWindow::waitForPaintedChanges() {
-  return waitFor([this] { return painted_->revision() >= scan().shownRevision; });
+  return waitFor([this] { return painted_->notes().revision >= scan().shownRevision; });
+}
+
+double BenchWindow::waitForPaintedView() {
+  const View wanted = scan().camera.view({1, 1});
+  return waitFor([&] {
+    const View& shown = painted_->notes().view;
+    return shown.eye == wanted.eye && shown.viewFromWorld == wanted.viewFromWorld;
+  });
 }
 
 void BenchWindow::waitUntilQuiet() {

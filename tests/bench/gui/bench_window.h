@@ -48,6 +48,8 @@ class BenchWindow {
   static double waitFor(const std::function<bool()>& holds);
   /// Milliseconds until a picture with all changes of the scan is on the screen.
   double waitForPaintedChanges();
+  /// Until one from the present camera is.
+  double waitForPaintedView();
   /// So many until now.
   std::size_t pictures() const { return pictures_; }
   void waitUntilQuiet();
