@@ -120,11 +120,6 @@ void FrameMaker::setAppearance(const Appearance& appearance) {
   touchAll();
 }
 
-void FrameMaker::setLines(std::vector<Glyph> lines) {
-  lines_ = std::move(lines);
-  touchAll();
-}
-
 bool FrameMaker::isMoving(Clock::time_point now) const {
   return now - viewChanged_ < kViewRest;
 }
@@ -262,7 +257,6 @@ FrameNotes FrameMaker::notes() const {
 Frame FrameMaker::frame() {
   Frame frame{notes(), renderer_->image(), renderer_->depth()};
   if (!glyphs_.empty()) drawGlyphs(frame.image, frame.depth, drawnView_, glyphs_, kGlyphColor);
-  if (!lines_.empty()) drawGlyphs(frame.image, frame.depth, drawnView_, lines_, kGlyphColor);
   return frame;
 }
 

@@ -84,8 +84,6 @@ class FrameMaker {
   void apply(SceneChange change, std::uint64_t revision, const Progress* progress);
   void setView(const View& view);
   void setAppearance(const Appearance& appearance);
-  /// Lines drawn over the surface beside those of the look (what a tool shows of a point).
-  void setLines(std::vector<Glyph> lines);
 
   /// Does the next piece of work. True: the picture changed, see frame(). What refines a picture that is
   /// complete ends early where `interrupt` says so; what shows a change does not.
@@ -131,7 +129,7 @@ class FrameMaker {
   PointSet meshPoints_;  // empty unless triangles are shown
   std::vector<Eigen::Vector3f> meshNormals_;
   std::vector<Rgba8> meshColors_;
-  std::vector<Glyph> glyphs_, lines_;
+  std::vector<Glyph> glyphs_;
   std::optional<View> view_;
   Appearance appearance_;
   RateControl rate_, coarseRate_;  // with plain and with coarse pixels

@@ -36,14 +36,9 @@ void FrameRequests::setAppearance(const Appearance& appearance) {
   appearance_ = appearance;
 }
 
-void FrameRequests::setLines(std::vector<Glyph> lines) {
-  const std::lock_guard lock(mutex_);
-  lines_ = std::move(lines);
-}
-
 bool FrameRequests::hasAny() const {
   const std::lock_guard lock(mutex_);
-  return !changes_.empty() || view_ || appearance_ || lines_;
+  return !changes_.empty() || view_ || appearance_;
 }
 
 bool FrameRequests::hasNewSurface() const {
@@ -58,10 +53,8 @@ void FrameRequests::applyTo(FrameMaker& maker, const Progress* progress) {
     taken.changes_.swap(changes_);
     std::swap(taken.view_, view_);
     std::swap(taken.appearance_, appearance_);
-    std::swap(taken.lines_, lines_);
   }
   if (taken.appearance_) maker.setAppearance(*taken.appearance_);
-  if (taken.lines_) maker.setLines(std::move(*taken.lines_));
   if (taken.view_) maker.setView(*taken.view_);
   for (auto& [change, revision] : taken.changes_) maker.apply(std::move(change), revision, progress);
 }

@@ -16,7 +16,6 @@ class FrameRequests {
   void post(SceneChange change, std::uint64_t revision);
   void setView(const View& view);
   void setAppearance(const Appearance& appearance);
-  void setLines(std::vector<Glyph> lines);
 
   bool hasAny() const;
   /// A surface waits that replaces the one at work.
@@ -29,7 +28,6 @@ class FrameRequests {
   std::vector<std::pair<SceneChange, std::uint64_t>> changes_;
   std::optional<View> view_;
   std::optional<Appearance> appearance_;
-  std::optional<std::vector<Glyph>> lines_;
 };
 
 }  // namespace stipple

@@ -60,11 +60,6 @@ void FrameWorker::setAppearance(const Appearance& appearance) {
   ask();
 }
 
-void FrameWorker::setLines(std::vector<Glyph> lines) {
-  requests_.setLines(std::move(lines));
-  ask();
-}
-
 std::shared_ptr<const Frame> FrameWorker::latest() const {
   const std::lock_guard lock(mutex_);
   return latest_;

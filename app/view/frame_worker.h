@@ -23,7 +23,6 @@ class FrameWorker {
   void post(SceneChange change, std::uint64_t revision);
   void setView(const View& view);
   void setAppearance(const Appearance& appearance);
-  void setLines(std::vector<Glyph> lines);
 
   /// The newest picture; null before the first.
   std::shared_ptr<const Frame> latest() const;

@@ -57,10 +57,6 @@ void CpuViewport::setAppearance(const Appearance& appearance) {
   worker_->setAppearance(appearance);
 }
 
-void CpuViewport::setLines(std::vector<Glyph> lines) {
-  worker_->setLines(std::move(lines));
-}
-
 std::optional<FrameNotes> CpuViewport::notes() const {
   if (!frame_) return {};
   return static_cast<const FrameNotes&>(*frame_);

@@ -71,11 +71,6 @@ void GlViewport::setAppearance(const Appearance& appearance) {
   update();
 }
 
-void GlViewport::setLines(std::vector<Glyph> lines) {
-  requests_.setLines(std::move(lines));
-  update();
-}
-
 std::optional<FrameNotes> GlViewport::notes() const {
   return notes_;
 }

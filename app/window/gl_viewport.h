@@ -22,7 +22,6 @@ class GlViewport final : public QOpenGLWidget, public Viewport {
   void post(SceneChange change, std::uint64_t revision) override;
   void setView(const View& view) override;
   void setAppearance(const Appearance& appearance) override;
-  void setLines(std::vector<Glyph> lines) override;
   std::optional<FrameNotes> notes() const override;
   std::optional<Picked> pickAt(const glm::vec2& px) override;
   std::vector<float> depthPicture() override;

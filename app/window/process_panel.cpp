@@ -59,8 +59,8 @@ ProcessPanel::ProcessPanel(Workbench& workbench, QWidget* parent)
   where->addWidget(regionTitle_);
   where->addWidget(region_, 1);
   column->addLayout(where);
+  buildRunRow(column);  // above the parameters, of which there may be more than the panel shows
   column->addLayout(formPlace_);
-  buildRunRow(column);
   column->addStretch(1);
   connect(operators_, &QComboBox::currentIndexChanged, this, [this] {
     rebuild();

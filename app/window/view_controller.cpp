@@ -1,5 +1,6 @@
 #include "app/window/view_controller.h"
 
+#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QWidget>
 #include <algorithm>
@@ -293,8 +294,10 @@ void ViewController::selectByValue(const std::string& attribute, double low, dou
   if (!scan) return;
   const PointSet& points = scan->document.points();
   const std::vector<Index> rows = findInRange(points, attribute, low, high);
+  const Qt::KeyboardModifiers keys = QGuiApplication::keyboardModifiers();
+  const Modifiers held{.shift = keys.testFlag(Qt::ShiftModifier), .ctrl = keys.testFlag(Qt::ControlModifier)};
   workbench_.commit("Select by value",
-                    withSelection(points, combine(nothing(points.size()), rows, Combine::kReplace)));
+                    withSelection(points, combine(selectionOf(points), rows, combineFor(held))));
 }
 
 void ViewController::changeSelection(SelectionChange change) {

@@ -27,7 +27,6 @@ class Viewport {
   virtual void post(SceneChange change, std::uint64_t revision) = 0;
   virtual void setView(const View& view) = 0;
   virtual void setAppearance(const Appearance& appearance) = 0;
-  virtual void setLines(std::vector<Glyph> lines) = 0;
 
   /// Of the last picture; nothing before the first.
   virtual std::optional<FrameNotes> notes() const = 0;
