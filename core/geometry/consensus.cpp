@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <numeric>
 
 #include "core/geometry/consensus_patch.h"
+#include "core/geometry/site_sets.h"
 
 namespace stipple {
 
@@ -61,24 +61,6 @@ std::vector<VotedTriangle> findDisputed(const Fans& fans, const Progress* progre
   disputed.erase(twice, disputed.end());
   return disputed;
 }
-
-// Union-find over the sites that disputed triangles touch; the root of a set is its smallest member.
-class SiteSets {
- public:
-  explicit SiteSets(Index sites) : parent_(sites) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
-  Index rootOf(Index site) {
-    while (parent_[site] != site) site = parent_[site] = parent_[parent_[site]];
-    return site;
-  }
-  void join(Index a, Index b) {
-    a = rootOf(a);
-    b = rootOf(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<Index> parent_;
-};
 
 // Disputed triangles of one patch are made adjacent; returns where each patch begins.
 std::vector<std::size_t> groupByPatch(std::vector<VotedTriangle>& disputed, Index sites) {
