@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "render/appearance/kernel.h"
 #include "render/appearance/light.h"
@@ -28,6 +29,15 @@ inline Extent tangentsOf(float n, float c, float nz, float cz, float r2, float p
   return {middle - half, middle + half};
 }
 
+// Pixels of a picture whose centers lie inside.
+inline PixelBox pixelsWithin(const glm::vec2& low, const glm::vec2& high, const glm::vec2& size) {
+  const float x0 = std::max(low.x - 0.5f, 0.f), x1 = std::min(high.x - 0.5f, size.x - 1);
+  const float y0 = std::max(low.y - 0.5f, 0.f), y1 = std::min(high.y - 0.5f, size.y - 1);
+  if (!(x1 >= x0 && y1 >= y0)) return {};
+  return {static_cast<std::int16_t>(std::ceil(x0)), static_cast<std::int16_t>(std::ceil(y0)),
+          static_cast<std::int16_t>(x1), static_cast<std::int16_t>(y1)};
+}
+
 class Projector {
  public:
   Projector(const View& view, const Appearance& appearance) : view_(view), appearance_(appearance) {
@@ -36,7 +46,7 @@ class Projector {
     center_ = view.centerPx();
   }
 
-  PixelBox project(const Splat& splat, Index node, ProjectedSplat& out) const {
+  PixelBox project(const Splat& splat, ProjectedSplat& out) const {
     const glm::vec3 c = view_.toView(splat.center());
     if (!(c.z > view_.nearDepth)) return {};
     const bool perspective = view_.isPerspective();
@@ -49,7 +59,6 @@ class Projector {
     }
     const bool shadesBack =
         !appearance_.twoSided && glm::dot(view_.viewFromWorld * unpackNormal(splat.shape), towards) < 0;
-    out.node = node;
     out.nx = shadesBack ? -n.x : n.x;
     out.ny = shadesBack ? -n.y : n.y;
     out.nz = shadesBack ? -n.z : n.z;
@@ -155,15 +164,8 @@ class Projector {
                 std::max(bottom, s.y + kR));
   }
 
-  // Pixels whose centers lie inside.
   PixelBox clip(float left, float right, float top, float bottom) const {
-    const float x0 = std::max(left - 0.5f, 0.f),
-                x1 = std::min(right - 0.5f, static_cast<float>(view_.width - 1));
-    const float y0 = std::max(top - 0.5f, 0.f),
-                y1 = std::min(bottom - 0.5f, static_cast<float>(view_.height - 1));
-    if (!(x1 >= x0 && y1 >= y0)) return {};
-    return {static_cast<std::int16_t>(std::ceil(x0)), static_cast<std::int16_t>(std::ceil(y0)),
-            static_cast<std::int16_t>(x1), static_cast<std::int16_t>(y1)};
+    return pixelsWithin({left, top}, {right, bottom}, {view_.width, view_.height});
   }
 
   const View& view_;
@@ -173,17 +175,35 @@ class Projector {
   glm::vec2 center_{0};
 };
 
-void projectAll(std::span<const Splat> splats, std::span<const Index> nodes, const View& view,
-                const Appearance& appearance, std::span<ProjectedSplat> projected,
-                std::span<PixelBox> boxes) {
-  const Projector projector(view, appearance);
-  // Splats lie where the hierarchy has them, several levels apart: they are asked for before it is their
-  // turn.
-  constexpr std::size_t kAhead = 16;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (i + kAhead < nodes.size()) __builtin_prefetch(&splats[nodes[i + kAhead]]);
-    boxes[i] = projector.project(splats[nodes[i]], nodes[i], projected[i]);
+// A point of the ball of radius r about c is at most r sqrt(z^2 + x^2) / (z (z - r)) from x / z, seen from
+// the eye; the root is at most z + x^2 / (2 z).
+void reachAll(std::span<const Splat> splats, const View& view, std::span<SplatReach> reach) {
+  constexpr float kSlackPx = 0.01f;
+  const glm::vec2 center = view.centerPx();
+  const glm::vec2 size(view.width, view.height);
+  const bool isPerspective = view.isPerspective();
+  for (std::size_t i = 0; i < splats.size(); ++i) {
+    const float radius = splats[i].radius;
+    const glm::vec3 c = view.toView(splats[i].center());
+    reach[i] = {{}, c.z - radius};
+    if (!(c.z > view.nearDepth)) continue;
+    const float perDepth = isPerspective ? 1 / c.z : 1;
+    const glm::vec2 along(c.x * perDepth, c.y * perDepth);
+    const float width =
+        view.focalPx * (isPerspective ? radius / std::max(c.z - radius, 0.05f * c.z) : radius);
+    const glm::vec2 slope = isPerspective ? 1.f + 0.5f * along * along : glm::vec2(1);
+    glm::vec2 half = glm::max(width * slope, kernel::kScreenRadiusPx) + kSlackPx;
+    if (isPerspective && radius > 0.95f * c.z) half = glm::vec2(std::numeric_limits<float>::infinity());
+    const glm::vec2 at = center + view.focalPx * along;
+    reach[i].box = pixelsWithin(at - half, at + half, size);
   }
+}
+
+void projectAll(std::span<const Splat> splats, std::span<const std::uint32_t> places, const View& view,
+                const Appearance& appearance, std::span<ProjectedSplat> projected) {
+  const Projector projector(view, appearance);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    projected[i].box = projector.project(splats[places[i]], projected[i]);
 }
 
 }  // namespace stipple::HWY_NAMESPACE
@@ -192,12 +212,16 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace stipple {
 
+HWY_EXPORT(reachAll);
 HWY_EXPORT(projectAll);
 
-void projectSplats(std::span<const Splat> splats, std::span<const Index> nodes, const View& view,
-                   const Appearance& appearance, std::span<ProjectedSplat> projected,
-                   std::span<PixelBox> boxes) {
-  HWY_DYNAMIC_DISPATCH(projectAll)(splats, nodes, view, appearance, projected, boxes);
+void findReach(std::span<const Splat> splats, const View& view, std::span<SplatReach> reach) {
+  HWY_DYNAMIC_DISPATCH(reachAll)(splats, view, reach);
+}
+
+void projectSplats(std::span<const Splat> splats, std::span<const std::uint32_t> places, const View& view,
+                   const Appearance& appearance, std::span<ProjectedSplat> projected) {
+  HWY_DYNAMIC_DISPATCH(projectAll)(splats, places, view, appearance, projected);
 }
 
 }  // namespace stipple
