@@ -257,7 +257,7 @@ bool FrameMaker::redrawTouched() {
 std::optional<Unrefined> FrameMaker::takeUnrefined() {
   const bool isCalm = Clock::now() - sceneChanged_ >= kSceneRest;
   if (!isCalm || improvesInPlace() || (stage_ != Stage::kConverged && stage_ != Stage::kAveraged)) return {};
-  return std::exchange(unrefined_, {});
+  return std::exchange(unrefined_, std::nullopt);
 }
 
 FrameNotes FrameMaker::notes() const {
