@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <numeric>
+
+#include "core/geometry/site_sets.h"
 
 namespace stipple {
 
@@ -21,24 +22,6 @@ void forLinked(const NeighborGraph& graph, Index site, const Visit& visit) {
     if (squared[n] <= reach * reach) visit(neighbors[n]);
   }
 }
-
-// Union-find; the root of a set is its smallest member.
-class SiteSets {
- public:
-  explicit SiteSets(Index sites) : parent_(sites) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
-  Index rootOf(Index site) {
-    while (parent_[site] != site) site = parent_[site] = parent_[parent_[site]];
-    return site;
-  }
-  void join(Index a, Index b) {
-    a = rootOf(a);
-    b = rootOf(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<Index> parent_;
-};
 
 }  // namespace
 
