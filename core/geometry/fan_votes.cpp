@@ -36,24 +36,15 @@ void forEachTriangle(const Fans& fans, Index site, Visit&& visit) {
   }
 }
 
-// What visit(triangle, votes, list) puts into lists of its own for each block of sites, in the order of the
-// sites.
-template <class T, class Visit>
-std::vector<T> collect(const Fans& fans, const Progress* progress, const Visit& visit) {
-  std::vector<std::vector<T>> parts((fans.size() + kBlock - 1) / kBlock);
-  parallelFor(
-      fans.size(), kBlock,
-      [&](std::size_t begin, std::size_t end) {
-        std::vector<T>& part = parts[begin / kBlock];
-        for (auto site = static_cast<Index>(begin); site < end; ++site) {
-          forEachTriangle(fans, site,
-                          [&](const Triangle& corners, int votes) { visit(corners, votes, part); });
-        }
-      },
-      progress);
-  std::vector<T> all;
-  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-  return all;
+template <class T>
+void append(std::vector<std::vector<T>>& parts, std::vector<T>& all) {
+  std::size_t sum = 0;
+  for (const auto& part : parts) sum += part.size();
+  all.reserve(sum);
+  for (auto& part : parts) {
+    all.insert(all.end(), part.begin(), part.end());
+    part = {};
+  }
 }
 
 // Disputed triangles of one patch are made adjacent.
@@ -75,20 +66,25 @@ void groupByPatch(DisputedPatches& disputed, Index sites) {
 
 }  // namespace
 
-std::vector<Triangle> findSettled(const Fans& fans, const Progress* progress) {
-  return collect<Triangle>(fans, progress, [](const Triangle& t, int votes, std::vector<Triangle>& list) {
-    if (votes == 3 && t[0] < t[1] && t[0] < t[2]) list.push_back(t);
-  });
-}
-
-DisputedPatches findDisputed(const Fans& fans, const Progress* progress) {
-  DisputedPatches disputed;
-  disputed.triangles =
-      collect<VotedTriangle>(fans, progress, [](Triangle t, int votes, std::vector<VotedTriangle>& list) {
-        if (votes == 3) return;
+DisputedPatches findDisputed(const Fans& fans, const Progress* progress, std::vector<Triangle>* settled) {
+  std::vector<std::vector<Triangle>> settledParts((fans.size() + kBlock - 1) / kBlock);
+  std::vector<std::vector<VotedTriangle>> disputedParts(settledParts.size());
+  const auto look = [&](std::size_t begin, std::size_t end) {
+    for (auto site = static_cast<Index>(begin); site < end; ++site) {
+      forEachTriangle(fans, site, [&](Triangle t, int votes) {
+        if (votes == 3) {
+          if (settled && t[0] < t[1] && t[0] < t[2]) settledParts[begin / kBlock].push_back(t);
+          return;
+        }
         std::ranges::sort(t);
-        list.push_back({t, votes});
+        disputedParts[begin / kBlock].push_back({t, votes});
       });
+    }
+  };
+  parallelFor(fans.size(), kBlock, look, progress);
+  if (settled) append(settledParts, *settled);
+  DisputedPatches disputed;
+  append(disputedParts, disputed.triangles);
   std::ranges::sort(disputed.triangles, {}, &VotedTriangle::corners);
   const auto twice = std::ranges::unique(disputed.triangles, {}, &VotedTriangle::corners);
   disputed.triangles.erase(twice.begin(), twice.end());

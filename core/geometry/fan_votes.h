@@ -18,11 +18,8 @@ struct VotedTriangle {
 /// True where the fan of `site` has a triangle with a and b, in either order.
 bool hasTriangle(const Fans& fans, Index site, Index a, Index b);
 
-/// The triangles that stand in the fans of all three corners, once each: the least corner first, in the sense
-/// of its fan.
-std::vector<Triangle> findSettled(const Fans& fans, const Progress* progress = nullptr);
-
-/// All others, in patches: two that share a corner belong to the same one.
+/// Triangles that are not in the fans of all three corners, in patches: two that share a corner belong to the
+/// same one.
 struct DisputedPatches {
   std::vector<VotedTriangle> triangles;
   std::vector<std::size_t> begins{0};  ///< patches + 1
@@ -32,7 +29,10 @@ struct DisputedPatches {
     return std::span(triangles).subspan(begins[patch], begins[patch + 1] - begins[patch]);
   }
 };
-DisputedPatches findDisputed(const Fans& fans, const Progress* progress = nullptr);
+/// `settled`, where given, gets the triangles that stand in the fans of all three corners, once each: the
+/// least corner first, in the sense of its fan.
+DisputedPatches findDisputed(const Fans& fans, const Progress* progress,
+                             std::vector<Triangle>* settled = nullptr);
 
 /// Share of triangle instances that stand in the fans of all three corners.
 double shareOfConsistentTriangles(const Fans& fans);

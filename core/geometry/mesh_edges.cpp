@@ -1,6 +1,7 @@
 #include "core/geometry/mesh_edges.h"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 #include "core/geometry/site_sets.h"
@@ -54,18 +55,26 @@ std::size_t countNonManifoldVertices(std::span<const Triangle> triangles, const 
 }  // namespace
 
 MeshEdges::MeshEdges(std::span<const Triangle> triangles, Index corners) : begins_(corners + std::size_t{1}) {
-  for (const Triangle& t : triangles) {
-    if (hasArea(t)) forSides(t, [&](Index low, Index, bool) { ++begins_[low + 1]; });
-  }
+  const auto forEachSide = [&](const auto& visit) {
+    parallelFor(triangles.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (auto t = static_cast<Index>(begin); t < end; ++t) {
+        if (hasArea(triangles[t]))
+          forSides(triangles[t],
+                   [&](Index low, Index high, bool isUpwards) { visit(t, low, high, isUpwards); });
+      }
+    });
+  };
+  const auto takeNext = [](std::size_t& count) {
+    return std::atomic_ref(count).fetch_add(1, std::memory_order_relaxed);
+  };
+  forEachSide([&](Index, Index low, Index, bool) { takeNext(begins_[low + 1]); });
   for (Index low = 0; low < corners; ++low) begins_[low + 1] += begins_[low];
   uses_.resize(begins_.back());
+  // In any order first: sorted below.
   std::vector<std::size_t> next(begins_.begin(), begins_.end() - 1);
-  for (Index t = 0; t < triangles.size(); ++t) {
-    if (!hasArea(triangles[t])) continue;
-    forSides(triangles[t], [&](Index low, Index high, bool isUpwards) {
-      uses_[next[low]++] = {high, t, isUpwards};
-    });
-  }
+  forEachSide([&](Index t, Index low, Index high, bool isUpwards) {
+    uses_[takeNext(next[low])] = {high, t, isUpwards};
+  });
   parallelFor(corners, kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t low = begin; low < end; ++low) {
       std::sort(uses_.begin() + static_cast<std::ptrdiff_t>(begins_[low]),

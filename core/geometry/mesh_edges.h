@@ -29,12 +29,14 @@ class MeshEdges {
   /// visit(low, uses of one edge).
   template <class Visit>
   void forEach(const Visit& visit) const {
-    for (Index low = 0; low < corners(); ++low) {
-      const auto uses = from(low);
-      for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
-        while (end < uses.size() && uses[end].high == uses[begin].high) ++end;
-        visit(low, uses.subspan(begin, end - begin));
-      }
+    for (Index low = 0; low < corners(); ++low) forEachFrom(low, visit);
+  }
+  template <class Visit>
+  void forEachFrom(Index low, const Visit& visit) const {
+    const auto uses = from(low);
+    for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
+      while (end < uses.size() && uses[end].high == uses[begin].high) ++end;
+      visit(low, uses.subspan(begin, end - begin));
     }
   }
 

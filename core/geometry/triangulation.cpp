@@ -15,14 +15,19 @@ namespace stipple {
 
 namespace {
 
+constexpr std::size_t kGrain = 1 << 13;
 constexpr Index kNone = std::numeric_limits<Index>::max();
 
 // Boundary edges, and how the rims of holes go through their ends: at a site of two chains of triangles each
 // gap between them lies between the end of one and the start of the other.
 class Rims {
  public:
-  Rims(std::span<const Triangle> triangles, const MeshEdges& edges);
+  explicit Rims(const MeshEdges& edges);
 
+  /// Some sites have two chains of triangles.
+  bool hasBowTies() const { return hasBowTies_; }
+  /// Triangles wind consistently.
+  void joinBowTies(std::span<const Triangle> triangles, const MeshEdges& edges);
   /// Closed walks of at most `longest` edges that come to no site twice.
   std::vector<std::vector<Index>> findLoops(std::size_t longest) const;
 
@@ -38,24 +43,31 @@ class Rims {
     next_[{b, site}] = a;
   }
 
+  std::map<Index, std::vector<End>> ends_;
   std::map<std::pair<Index, Index>, Index> next_;  // (from, here): where the rim goes on
+  bool hasBowTies_ = false;
 };
 
-Rims::Rims(std::span<const Triangle> triangles, const MeshEdges& edges) {
-  std::map<Index, std::vector<End>> ends;
+Rims::Rims(const MeshEdges& edges) {
   edges.forEach([&](Index low, std::span<const MeshEdges::Use> uses) {
     if (uses.size() != 1) return;
     const auto& [high, triangle, isUpwards] = uses[0];
-    ends[low].push_back({high, triangle, isUpwards});
-    ends[high].push_back({low, triangle, !isUpwards});
+    ends_[low].push_back({high, triangle, isUpwards});
+    ends_[high].push_back({low, triangle, !isUpwards});
   });
-  for (const auto& [site, here] : ends) {
-    if (here.size() == 2) pair(site, here[0].other, here[1].other);
-    if (here.size() != 4 || std::ranges::count(here, true, &End::leaves) != 2) continue;
-    for (const End& start : here) {
+  for (const auto& [site, ends] : ends_) {
+    if (ends.size() == 2) pair(site, ends[0].other, ends[1].other);
+    hasBowTies_ |= ends.size() == 4;
+  }
+}
+
+void Rims::joinBowTies(std::span<const Triangle> triangles, const MeshEdges& edges) {
+  for (const auto& [site, ends] : ends_) {
+    if (ends.size() != 4 || std::ranges::count(ends, true, &End::leaves) != 2) continue;
+    for (const End& start : ends) {
       if (!start.leaves) continue;
       const Index own = farEndOfChain(triangles, edges, site, start);
-      for (const End& end : here) {
+      for (const End& end : ends) {
         if (!end.leaves && end.other != own) pair(site, start.other, end.other);
       }
     }
@@ -98,11 +110,22 @@ std::vector<std::vector<Index>> Rims::findLoops(std::size_t longest) const {
   return loops;
 }
 
-// Returns whether any was closed.
-bool closeHoles(std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> normals,
-                std::size_t longest, std::vector<Triangle>& triangles) {
+std::vector<std::vector<Index>> findLoops(std::span<const Eigen::Vector3f> positions, std::size_t longest,
+                                          std::span<Triangle> triangles) {
   const auto sites = static_cast<Index>(positions.size());
-  const auto loops = Rims(triangles, MeshEdges(triangles, sites)).findLoops(longest);
+  Rims rims{MeshEdges(triangles, sites)};
+  if (rims.hasBowTies()) {
+    windTriangles(positions, {}, triangles);
+    const MeshEdges edges(triangles, sites);
+    rims = Rims(edges);
+    rims.joinBowTies(triangles, edges);
+  }
+  return rims.findLoops(longest);
+}
+
+void closeHoles(std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> normals,
+                std::size_t longest, std::vector<Triangle>& triangles) {
+  const auto loops = findLoops(positions, longest, triangles);
   std::map<Index, std::vector<Triangle>> at;
   for (const auto& loop : loops) {
     for (const Index site : loop) at[site];
@@ -112,7 +135,7 @@ bool closeHoles(std::span<const Eigen::Vector3f> positions, std::span<const Eige
       if (const auto found = at.find(corner); found != at.end()) found->second.push_back(t);
     }
   };
-  if (loops.empty()) return false;
+  if (loops.empty()) return;
   std::ranges::for_each(triangles, note);
   for (const auto& loop : loops) {
     std::vector<Triangle> around;
@@ -123,12 +146,11 @@ bool closeHoles(std::span<const Eigen::Vector3f> positions, std::span<const Eige
     triangles.insert(triangles.end(), added.begin(), added.end());
     std::ranges::for_each(added, note);
   }
-  return true;
 }
 
 void addDisputed(std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> normals,
-                 const Fans& fans, const Progress* progress, std::vector<Triangle>& triangles) {
-  const DisputedPatches disputed = findDisputed(fans, progress);
+                 const Fans& fans, const DisputedPatches& disputed, const Progress* progress,
+                 std::vector<Triangle>& triangles) {
   std::vector<std::vector<Triangle>> accepted(disputed.size());
   parallelFor(
       accepted.size(), 16,
@@ -156,48 +178,78 @@ std::vector<std::array<Beside, 3>> findNeighbors(std::span<const Triangle> trian
     }
     return std::size_t{2};
   };
-  MeshEdges(triangles, sites).forEach([&](Index low, std::span<const MeshEdges::Use> uses) {
+  const MeshEdges edges(triangles, sites);
+  const auto note = [&](Index low, std::span<const MeshEdges::Use> uses) {
     if (uses.size() != 2) return;
     const bool isReversed = uses[0].isUpwards == uses[1].isUpwards;
-    for (std::size_t u = 0; u < 2; ++u)
-      beside[uses[u].triangle][sideOf(uses[u].triangle, low, uses[u].high)] = {uses[1 - u].triangle,
-                                                                               isReversed};
+    for (std::size_t u = 0; u < 2; ++u) {
+      const Index here = uses[u].triangle, there = uses[1 - u].triangle;
+      beside[here][sideOf(here, low, uses[u].high)] = {there, isReversed};
+    }
+  };
+  parallelFor(sites, kGrain, [&](std::size_t begin, std::size_t end) {
+    for (auto low = static_cast<Index>(begin); low < end; ++low) edges.forEachFrom(low, note);
   });
   return beside;
 }
 
-// Twice the area of a triangle times the cosine with the mean normal of its corners.
-double areaAlong(std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> normals,
-                 const Triangle& t) {
-  const Eigen::Vector3d a = positions[t[0]].cast<double>(), b = positions[t[1]].cast<double>(),
-                        c = positions[t[2]].cast<double>();
-  return (b - a).cross(c - a).dot((normals[t[0]] + normals[t[1]] + normals[t[2]]).cast<double>());
-}
+// The sense of the triangles of one connected part; some may have to be turned to agree with the first.
+class Part {
+ public:
+  Part(std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> along)
+      : positions_(positions), along_(along) {}
+
+  void add(const Triangle& t, bool isTurned) {
+    const Eigen::Vector3d a = at(t[0]), b = at(t[1]), c = at(t[2]);
+    const Eigen::Vector3d normal = (isTurned ? -1 : 1) * (b - a).cross(c - a);
+    area_ += normal.norm();
+    if (!along_.empty())
+      agreed_ += normal.dot((along_[t[0]] + along_[t[1]] + along_[t[2]]).cast<double>().stableNormalized());
+    for (const Index corner : t) {
+      if (positions_[corner].z() < top_ || (positions_[corner].z() == top_ && corner > topmost_)) continue;
+      if (corner != topmost_) up_ = 0;
+      top_ = positions_[corner].z();
+      topmost_ = corner;
+      up_ += normal.z();
+    }
+  }
+  // Normals that say nothing, as constant ones on a closed surface, add up to little.
+  bool isInsideOut() const { return std::abs(agreed_) > 0.3 * area_ ? agreed_ < 0 : up_ < 0; }
+
+ private:
+  Eigen::Vector3d at(Index site) const { return positions_[site].cast<double>(); }
+
+  std::span<const Eigen::Vector3f> positions_, along_;
+  double area_ = 0, agreed_ = 0;  // doubled; of it what faces as `along` does, minus the rest
+  float top_ = -std::numeric_limits<float>::infinity();
+  Index topmost_ = kNone;
+  double up_ = 0;  // of the triangles at the topmost site
+};
 
 }  // namespace
 
-void windAlong(std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> normals,
-               std::span<Triangle> triangles) {
+void windTriangles(std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> along,
+                   std::span<Triangle> triangles) {
   const auto beside = findNeighbors(triangles, static_cast<Index>(positions.size()));
   enum : std::uint8_t { kUnknown, kAsIs, kTurned };
   std::vector<std::uint8_t> sense(triangles.size(), kUnknown);
-  std::vector<Index> part;
+  std::vector<Index> members;
   for (Index start = 0; start < triangles.size(); ++start) {
     if (sense[start] != kUnknown) continue;
-    part = {start};
+    Part part(positions, along);
+    members = {start};
     sense[start] = kAsIs;
-    double along = 0;
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      const bool isTurned = sense[part[i]] == kTurned;
-      along += (isTurned ? -1 : 1) * areaAlong(positions, normals, triangles[part[i]]);
-      for (const Beside& other : beside[part[i]]) {
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      const bool isTurned = sense[members[i]] == kTurned;
+      part.add(triangles[members[i]], isTurned);
+      for (const Beside& other : beside[members[i]]) {
         if (other.triangle == kNone || sense[other.triangle] != kUnknown) continue;
         sense[other.triangle] = isTurned != other.isReversed ? kTurned : kAsIs;
-        part.push_back(other.triangle);
+        members.push_back(other.triangle);
       }
     }
-    const std::uint8_t turned = along < 0 ? kAsIs : kTurned;
-    for (const Index t : part) {
+    const std::uint8_t turned = part.isInsideOut() ? kAsIs : kTurned;
+    for (const Index t : members) {
       if (sense[t] == turned) std::swap(triangles[t][1], triangles[t][2]);
     }
   }
@@ -206,14 +258,12 @@ void windAlong(std::span<const Eigen::Vector3f> positions, std::span<const Eigen
 std::vector<Triangle> triangulateFans(std::span<const Eigen::Vector3f> positions,
                                       std::span<const Eigen::Vector3f> normals, const Fans& fans,
                                       const TriangulationOptions& options, const Progress* progress) {
-  std::vector<Triangle> triangles = findSettled(fans, progress);
-  if (options.votes) addDisputed(positions, normals, fans, progress, triangles);
+  std::vector<Triangle> triangles;
+  const DisputedPatches disputed = findDisputed(fans, progress, &triangles);
+  if (options.votes) addDisputed(positions, normals, fans, disputed, progress, triangles);
   if (progress) progress->throwIfCancelled();
-  windAlong(positions, normals, triangles);
-  if (options.longestHole < 3) return triangles;
-  if (progress) progress->throwIfCancelled();
-  const auto longest = static_cast<std::size_t>(options.longestHole);
-  if (closeHoles(positions, normals, longest, triangles)) windAlong(positions, normals, triangles);
+  if (options.longestHole >= 3)
+    closeHoles(positions, normals, static_cast<std::size_t>(options.longestHole), triangles);
   return triangles;
 }
 

@@ -16,16 +16,17 @@ struct TriangulationOptions {
 
 /// A conforming set of triangles from fans that were built each by itself (Section 9 of the paper, with
 /// votes): triangles of all three fans stand, disputed ones are taken patch by patch as in consensus.h, small
-/// holes are closed. Corners are sites; no edge has more than two triangles. Winding as in windAlong().
-/// `normals`: m x 3, unit, of one sense.
+/// holes are closed. Corners are sites; no edge has more than two triangles; winding arbitrary. `normals`: m
+/// x 3, unit, sign arbitrary.
 std::vector<Triangle> triangulateFans(std::span<const Eigen::Vector3f> positions,
                                       std::span<const Eigen::Vector3f> normals, const Fans& fans,
                                       const TriangulationOptions& options,
                                       const Progress* progress = nullptr);
 
 /// Turns triangles so that neighbors run opposite ways along their common edge, each connected part
-/// counterclockwise about most of its normals. On a surface with one side some edges stay inconsistent.
-void windAlong(std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> normals,
-               std::span<Triangle> triangles);
+/// counterclockwise about most of the normals `along` (m x 3, any length, may be empty); a part where they
+/// are missing or say nothing faces up at its top. On a surface with one side some edges stay inconsistent.
+void windTriangles(std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> along,
+                   std::span<Triangle> triangles);
 
 }  // namespace stipple

@@ -43,14 +43,13 @@ RunResult triangulate(const OneShotInput& input, Progress& progress, Report& rep
   DiscretizationOptions options = discretizationOptions(input.parameters);
   const bool votes = options.consensus;
   options.consensus = false;  // the triangles are voted for below
-  PartialProgress preparing(progress, 0, 0.6);
+  PartialProgress preparing(progress, 0, 0.7);
   const Discretization d = discretize(input.points, options, preparing);
-  progress.report(0.6, "orienting normals");
-  const Orientation orientation = orientNormals(d, input.points, &progress);
-  progress.report(0.8, "letting the fans agree");
+  progress.report(0.7, "letting the fans agree");
   const auto longestHole = static_cast<int>(input.parameters.integer("fill_holes"));
-  std::vector<Triangle> triangles = triangulateFans(d.sites.positions, orientation.normals, d.fans,
+  std::vector<Triangle> triangles = triangulateFans(d.sites.positions, d.normals, d.fans,
                                                     {.votes = votes, .longestHole = longestHole}, &progress);
+  windTriangles(d.sites.positions, sumNormals(d.sites, input.points), triangles);
   if (triangles.empty()) throw InvalidInput("no three points agree on a triangle");
   describe(triangles, d.size(), report);
   for (Triangle& t : triangles) {

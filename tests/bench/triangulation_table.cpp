@@ -23,8 +23,8 @@ namespace {
 std::vector<Triangle> byFans(const PointSet& points) {
   Progress progress;
   const Discretization d = discretize(points, {.consensus = false}, progress);
-  const Orientation orientation = orientNormals(d, points);
-  std::vector<Triangle> triangles = triangulateFans(d.sites.positions, orientation.normals, d.fans, {});
+  std::vector<Triangle> triangles = triangulateFans(d.sites.positions, d.normals, d.fans, {});
+  windTriangles(d.sites.positions, sumNormals(d.sites, points), triangles);
   for (Triangle& t : triangles) {
     for (Index& corner : t) corner = d.sites.pointOfSite[corner];
   }

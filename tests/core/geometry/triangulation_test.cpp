@@ -26,8 +26,8 @@ struct Result {
 Result triangulate(const PointSet& points, const TriangulationOptions& options = {}) {
   Progress progress;
   Result result{discretize(points, {.consensus = false}, progress), {}, {}};
-  const Orientation orientation = orientNormals(result.d, points);
-  result.triangles = triangulateFans(result.d.sites.positions, orientation.normals, result.d.fans, options);
+  result.triangles = triangulateFans(result.d.sites.positions, result.d.normals, result.d.fans, options);
+  windTriangles(result.d.sites.positions, sumNormals(result.d.sites, points), result.triangles);
   result.mesh = describeMesh(result.triangles, result.d.size());
   return result;
 }
@@ -72,6 +72,22 @@ TEST(Triangulation, OfRandomSpheresIsNearlyTheirHull) {
     std::ranges::set_intersection(hull, ours, std::back_inserter(both));
     EXPECT_GT(both.size(), 0.995 * static_cast<double>(hull.size()));
   }
+}
+
+// Inwards, outwards, constant, of chance: the last two say nothing, and the top faces up.
+TEST(Triangulation, WindsAlongTheNormalsOfTheFile) {
+  const std::vector<Eigen::Vector3f> sphere = shapes::randomSphere(3000);
+  std::vector<Eigen::Vector3f> inwards = sphere, chance = shapes::randomSphere(3000, 7);
+  for (Eigen::Vector3f& n : inwards) n = -n;
+  const auto volumeWith = [&](const std::vector<Eigen::Vector3f>& normals) {
+    PointSet points(sphere);
+    points.set("normal", normals);
+    return volumeOf(triangulate(points));
+  };
+  EXPECT_GT(volumeWith(sphere), 4);
+  EXPECT_LT(volumeWith(inwards), -4);
+  EXPECT_GT(volumeWith(std::vector<Eigen::Vector3f>(3000, {0, 0, 1})), 4);
+  EXPECT_GT(volumeWith(chance), 4);
 }
 
 TEST(Triangulation, OfASquareHasOneRim) {
