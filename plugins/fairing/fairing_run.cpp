@@ -60,6 +60,7 @@ void FairingRun::refresh(Progress& progress) {
     firstNormals_ = scatterToPoints<Eigen::Vector3f>(d.sites, orientation.normals);
     normals_ = firstNormals_;
     squaredSpacing_ = surface->squaredSpacing();
+    isRim_ = scatterToPoints<std::uint8_t>(d.sites, d.fans.open);
   }
   surface_ = std::move(surface);
   stepper_.reset();
@@ -71,7 +72,8 @@ std::vector<Index> FairingRun::heldSites() const {
   const Discretization& d = surface_->discretization();
   std::vector<std::uint8_t> isHeld(d.size(), 0);
   for (Index row = 0; row < snapshot_.size(); ++row) {
-    if (!region_.contains(row) || (!weights_.empty() && weights_[row] == 0))
+    if (!region_.contains(row) || (options_.pinBoundary && isRim_[row]) ||
+        (!weights_.empty() && weights_[row] == 0))
       isHeld[d.sites.siteOfPoint[row]] = 1;
   }
   std::vector<Index> held;

@@ -34,6 +34,7 @@ class FairingRun final : public Run {
   FairingOptions options_;
   std::vector<double> weights_;                          // of the rows; empty: 1
   std::vector<Eigen::Vector3d> rows_;                    // where the points are now, exact
+  std::vector<std::uint8_t> isRim_;                      // of the rows: on the boundary of the snapshot
   std::vector<Eigen::Vector3f> normals_, firstNormals_;  // of the rows, of one sense
 
   std::unique_ptr<FairingSurface> surface_;
