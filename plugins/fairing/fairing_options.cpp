@@ -64,6 +64,11 @@ std::vector<Parameter> fairingParameters() {
         .type = ParameterType::kBool,
         .defaultValue = false,
         .help = "After each step the surface moves along its normals so that no volume is lost."},
+       {.id = "resample",
+        .title = "Resample",
+        .type = ParameterType::kBool,
+        .defaultValue = false,
+        .help = "Points are inserted where the surface stretches and removed where it shrinks."},
        {.id = "weight_by",
         .title = "Weight",
         .type = ParameterType::kAttribute,
@@ -85,6 +90,7 @@ FairingOptions fairingOptions(const Parameters& parameters) {
           .refresh = static_cast<int>(parameters.integer("refresh")),
           .pinBoundary = parameters.boolean("pin_boundary"),
           .keepVolume = parameters.boolean("volume"),
+          .resamples = parameters.boolean("resample"),
           .weightBy = weight == "none" ? "" : weight,
           .discretization = discretizationOptions(parameters)};
 }

@@ -16,7 +16,7 @@ struct FairingOptions {
   double creaseAngle = 0;  ///< radians
   int k = 0;               ///< neighbors of the classifier; 0: from the noise
   int refresh = 2;         ///< steps that one matrix serves
-  bool pinBoundary = true, keepVolume = false;
+  bool pinBoundary = true, keepVolume = false, resamples = false;
   std::string weightBy;  ///< attribute that scales the displacement; empty: none
   DiscretizationOptions discretization;
 };

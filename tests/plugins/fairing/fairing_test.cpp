@@ -1,7 +1,10 @@
+#include "plugins/fairing/fairing.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -9,6 +12,7 @@
 #include "core/geometry/discretization.h"
 #include "core/parallel.h"
 #include "core/points/edit.h"
+#include "plugins/fairing/resampling.h"
 #include "tests/plugins/fairing/faired.h"
 #include "tests/support/identical.h"
 #include "tests/support/shapes.h"
@@ -190,6 +194,83 @@ TEST(Fairing, ParametersActAtTheNextStepAndACancelledStepDoesNothing) {
   EXPECT_TRUE(identical(run->result().points, first));
   EXPECT_TRUE(run->step(progress).finished);
   EXPECT_FALSE(identical(run->result().points, first));
+}
+
+// A sphere that shrinks to a third of its area keeps about the density it had, and what its points carry.
+TEST(Fairing, ResamplingKeepsTheDensity) {
+  PointSet points(spiral(3000));
+  std::vector<float> heights;
+  for (const Eigen::Vector3f& p : points.positions()) heights.push_back(p.z());
+  points.set("height", heights);
+  points.set("label", std::vector<std::int32_t>(3000, 4));
+  const Settings settings{{"tensor", std::string("isotropic")},
+                          {"time_step", 0.5},
+                          {"steps", std::int64_t{80}},
+                          {"refresh", std::int64_t{1}}};
+  Settings resampling = settings;
+  resampling.emplace_back("resample", true);
+  const auto run = makeFairing()->start(points, {}, fairingSettings(resampling));
+  Progress progress;
+  while (!run->step(progress).finished) {
+  }
+  const RunResult result = run->result();
+  const double area = std::pow(meanRadius(result.points), 2);
+  EXPECT_LT(area, 0.4);
+  EXPECT_NEAR(result.points.size() / (3000 * area), 1, 0.35);
+  EXPECT_EQ(faired(points, settings).size(), 3000u) << "off by default";
+  for (Index row = 0; row < result.points.size(); ++row) {
+    const Eigen::Vector3f& p = result.points.positions()[row];
+    ASSERT_NEAR(result.points.values<float>("height")[row], p.z() / p.norm(), 0.05f);
+    ASSERT_EQ(result.points.values<std::int32_t>("label")[row], 4);
+  }
+  PointSet again = points;
+  Edit edit = difference(points, result.points, result.removedRows);
+  edit.apply(again);
+  EXPECT_TRUE(identical(again, result.points));
+  edit.revert(again);
+  EXPECT_TRUE(identical(again, points));
+}
+
+// A part that is pulled out by volume that is kept elsewhere stretches: points come.
+TEST(Fairing, ResamplingInsertsWhereTheSurfaceStretches) {
+  Progress progress;
+  const Discretization d = discretize(PointSet(spiral(1000)), {}, progress);
+  std::vector<double> rest = localSpacings(d);
+  for (double& spacing : rest) spacing /= 1.5;
+  const Resampling plan = planResampling(d, rest);
+  EXPECT_TRUE(plan.removed.empty());
+  EXPECT_GT(plan.inserted.size(), 50u);
+  for (double& spacing : rest) spacing = 0;
+  EXPECT_TRUE(planResampling(d, rest).inserted.empty());
+}
+
+// Whenever it is stopped, the result is that of the step before.
+TEST(Fairing, CanBeCancelledAnywhere) {
+  class After final : public Progress {
+   public:
+    explicit After(int calls) : left_(calls) {}
+    bool cancelled() const override { return left_-- <= 0; }
+
+   private:
+    mutable std::atomic<int> left_;
+  };
+  const PointSet points(spiral(1500));
+  const Settings settings{{"resample", true}, {"refresh", std::int64_t{1}}, {"time_step", 2.0}};
+  bool isDone = false;
+  for (int calls = 0; !isDone; calls += 3) {
+    const auto run = makeFairing()->start(points, {}, fairingSettings(settings));
+    Progress progress;
+    run->step(progress);
+    const RunResult first = run->result();
+    try {
+      After limited(calls);
+      run->step(limited);
+      isDone = true;
+    } catch (const Cancelled&) {
+      ASSERT_TRUE(identical(run->result().points, first.points)) << calls;
+      ASSERT_EQ(run->result().removedRows, first.removedRows);
+    }
+  }
 }
 
 TEST(Fairing, DoesNotDependOnTheThreads) {
