@@ -30,9 +30,9 @@ ProgramRun cli(const std::vector<std::string>& arguments) {
 }
 
 std::vector<std::string> operators() {
+  const nlohmann::json listed = nlohmann::json::parse(cli({"operators", "--json"}).out);
   std::vector<std::string> ids;
-  for (const auto& op : nlohmann::json::parse(cli({"operators", "--json"}).out)["operators"])
-    ids.push_back(op["id"]);
+  for (const auto& op : listed["operators"]) ids.push_back(op["id"]);
   return ids;
 }
 
