@@ -172,9 +172,11 @@ void drawPressure(const BrushModel& model, BrushActions& actions) {
     if (chip(name, {.isOn = isOn, .help = help, .size = ImVec2(width, 0)}))
       actions.pressure = isOn ? PanelPressure::kNone : what;
   };
+  ImGui::PushID("pen");  // there is a field for the strength, too
   offer("Size", PanelPressure::kSize, sizeWidth, "The pressure of a pen scales the radius.");
   ImGui::SameLine(0, gap);
   offer("Strength", PanelPressure::kStrength, strengthWidth, "The pressure of a pen scales the strength.");
+  ImGui::PopID();
 }
 
 void drawLimits(const BrushModel& model, BrushActions& actions) {
