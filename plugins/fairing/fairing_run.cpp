@@ -74,6 +74,9 @@ void FairingRun::beginRows(const FairingSurface& surface, const Progress& progre
 void FairingRun::refresh(Progress& progress) {
   const bool isFirst = squaredSpacing_ == 0;
   if (!isFirst && options_.resamples && surface_) resample(surface_->discretization());
+  // Its memory goes before the next one's comes.
+  surface_.reset();
+  stepper_.reset();
   PartialProgress preparing(progress, 0, isFirst ? 0.9 : 1);
   auto surface = std::make_unique<FairingSurface>(result_, options_, preparing);
   if (isFirst) {
@@ -81,7 +84,6 @@ void FairingRun::refresh(Progress& progress) {
     beginRows(*surface, progress);
   }
   surface_ = std::move(surface);
-  stepper_.reset();
   stepsOfSurface_ = 0;
 }
 
