@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 #include <mutex>
-#include <nanoflann.hpp>
 #include <numeric>
 #include <queue>
 #include <unordered_map>
@@ -16,22 +15,6 @@ namespace {
 
 // Enough neighbors that paths find a straight way, few enough that they do not jump to a sheet nearby.
 constexpr int kGraphNeighbors = 12;
-
-// The view of the sites that nanoflann asks for.
-struct SiteCloud {
-  const std::vector<Eigen::Vector3f>& positions;
-  std::size_t kdtree_get_point_count() const { return positions.size(); }
-  float kdtree_get_pt(std::size_t site, std::size_t axis) const {
-    return positions[site][static_cast<Eigen::Index>(axis)];
-  }
-  template <class Box>
-  bool kdtree_get_bbox(Box&) const {
-    return false;
-  }
-};
-
-using KdTree =
-    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, SiteCloud>, SiteCloud, 3>;
 
 // Sites by rising distance, equal ones by index: distances are not negative, so that they rise as their bits
 // do. A heap with four children a node.
@@ -111,12 +94,6 @@ class Front {
 
 }  // namespace
 
-struct SurfaceDistance::Tree {
-  explicit Tree(const std::vector<Eigen::Vector3f>& positions) : cloud{positions}, index(3, cloud) {}
-  SiteCloud cloud;
-  KdTree index;
-};
-
 // Those that no search uses at the moment.
 struct SurfaceDistance::Fronts {
   std::mutex mutex;
@@ -140,7 +117,7 @@ SurfaceDistance::SurfaceDistance(const PointSet& points, const Progress* progres
       offsets_(sites_.size() + 1, 0),
       points_(points.size()),
       neighborhoods_(findNeighborhoods(sites_, {.k = kGraphNeighbors}, progress)),
-      tree_(std::make_unique<Tree>(sites_.positions)),
+      nearest_(sites_.size() > 0 ? std::make_unique<NearestPoint>(sites_.positions) : nullptr),
       fronts_(std::make_unique<Fronts>()) {
   for (const Index site : sites_.siteOfPoint) ++offsets_[site + 1];
   std::partial_sum(offsets_.begin(), offsets_.end(), offsets_.begin());
@@ -151,10 +128,7 @@ SurfaceDistance::SurfaceDistance(const PointSet& points, const Progress* progres
 SurfaceDistance::~SurfaceDistance() = default;
 
 Index SurfaceDistance::findNearest(const Eigen::Vector3f& place) const {
-  std::uint32_t site = 0;
-  float squaredDistance = 0;
-  tree_->index.knnSearch(place.data(), 1, &site, &squaredDistance);
-  return site;
+  return nearest_->find(place);
 }
 
 std::vector<Reached> SurfaceDistance::findWithin(Index start, float radius) const {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry/nearest_points.h"
 #include "core/geometry/neighborhoods.h"
 #include "core/points/point_set.h"
 
@@ -39,13 +40,12 @@ class SurfaceDistance {
   std::vector<Index> findPath(Index start, Index end) const;
 
  private:
-  struct Tree;
   struct Fronts;
 
   Sites sites_;
   std::vector<Index> offsets_, points_;  // file rows by site, in compressed rows
   Neighborhoods neighborhoods_;
-  std::unique_ptr<Tree> tree_;
+  std::unique_ptr<NearestPoint> nearest_;  // null where there are no sites
   std::unique_ptr<Fronts> fronts_;
 };
 

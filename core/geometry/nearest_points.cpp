@@ -5,24 +5,14 @@
 #include <nanoflann.hpp>
 
 #include "core/error.h"
+#include "core/geometry/position_cloud.h"
 
 namespace stipple {
 
 namespace {
 
-struct Cloud {
-  std::span<const Eigen::Vector3f> positions;
-  std::size_t kdtree_get_point_count() const { return positions.size(); }
-  float kdtree_get_pt(std::size_t row, std::size_t axis) const {
-    return positions[row][static_cast<int>(axis)];
-  }
-  template <class Box>
-  bool kdtree_get_bbox(Box&) const {
-    return false;
-  }
-};
-
-using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Cloud>, Cloud, 3, Index>;
+using KdTree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, PositionCloud>,
+                                                   PositionCloud, 3, Index>;
 
 // Keeps the nearest, of equally near ones the lowest row.
 struct Nearest {
@@ -44,21 +34,32 @@ struct Nearest {
 
 }  // namespace
 
+struct NearestPoint::Tree {
+  explicit Tree(std::span<const Eigen::Vector3f> positions) : cloud{positions}, index(3, cloud) {}
+  PositionCloud cloud;
+  KdTree index;
+};
+
+NearestPoint::NearestPoint(std::span<const Eigen::Vector3f> positions) {
+  if (positions.empty()) throw InvalidInput("there are no points to be near to");
+  tree_ = std::make_unique<const Tree>(positions);
+}
+NearestPoint::~NearestPoint() = default;
+
+Index NearestPoint::find(const Eigen::Vector3f& place) const {
+  Nearest nearest;
+  tree_->index.findNeighbors(nearest, place.data(), nanoflann::SearchParams(32, 0, false));
+  return nearest.row;
+}
+
 std::vector<Index> findNearestPoints(std::span<const Eigen::Vector3f> positions,
                                      std::span<const Eigen::Vector3f> queries, const Progress* progress) {
-  if (positions.empty()) throw InvalidInput("there are no points to be near to");
-  const Cloud cloud{positions};
-  Tree tree(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(10));
-  tree.buildIndex();
+  const NearestPoint nearest(positions);
   std::vector<Index> rows(queries.size());
   parallelFor(
       queries.size(), 512,
       [&](std::size_t begin, std::size_t end) {
-        for (std::size_t q = begin; q < end; ++q) {
-          Nearest nearest;
-          tree.findNeighbors(nearest, queries[q].data(), nanoflann::SearchParams(32, 0, false));
-          rows[q] = nearest.row;
-        }
+        for (std::size_t q = begin; q < end; ++q) rows[q] = nearest.find(queries[q]);
       },
       progress);
   return rows;

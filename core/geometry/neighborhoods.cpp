@@ -11,25 +11,14 @@
 
 #include "core/geometry/cell_index.h"
 #include "core/geometry/nearest_kernel.h"
+#include "core/geometry/position_cloud.h"
 
 namespace stipple {
 
 namespace {
 
-struct PositionsAdaptor {
-  std::span<const Eigen::Vector3f> positions;
-  std::size_t kdtree_get_point_count() const { return positions.size(); }
-  float kdtree_get_pt(std::size_t row, std::size_t axis) const {
-    return positions[row][static_cast<int>(axis)];
-  }
-  template <class Box>
-  bool kdtree_get_bbox(Box&) const {
-    return false;
-  }
-};
-
-using KdTree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, PositionsAdaptor>,
-                                                   PositionsAdaptor, 3, Index>;
+using KdTree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, PositionCloud>,
+                                                   PositionCloud, 3, Index>;
 
 // Squared distance (its bits order like the number) above the index: one comparison sorts by both.
 using NeighborKey = std::uint64_t;
@@ -138,7 +127,6 @@ struct NeighborSearch::Impl {
     std::call_once(treeBuilt, [&] {
       adaptor = {positions};
       kdTree = std::make_unique<KdTree>(3, adaptor, nanoflann::KDTreeSingleIndexAdaptorParams(10));
-      kdTree->buildIndex();
     });
     return *kdTree;
   }
@@ -212,7 +200,7 @@ struct NeighborSearch::Impl {
   }
 
   mutable std::once_flag treeBuilt;
-  mutable PositionsAdaptor adaptor;
+  mutable PositionCloud adaptor;
   mutable std::unique_ptr<KdTree> kdTree;
 };
 
