@@ -101,4 +101,24 @@ SparseMatrix buildLaplacian(Index rows, std::vector<WeightedEdge>&& edges) {
   return matrix;
 }
 
+void dropNegativeWeights(SparseMatrix& laplacian) {
+  parallelFor(static_cast<std::size_t>(laplacian.rows()), 16384, [&](std::size_t begin, std::size_t end) {
+    for (auto row = static_cast<Eigen::Index>(begin); row < static_cast<Eigen::Index>(end); ++row) {
+      double sum = 0;
+      double* diagonal = nullptr;
+      bool drops = false;
+      for (SparseMatrix::InnerIterator entry(laplacian, row); entry; ++entry) {
+        if (entry.col() == row) {
+          diagonal = &entry.valueRef();
+          continue;
+        }
+        drops = drops || entry.value() > 0;
+        entry.valueRef() = std::min(entry.value(), 0.0);
+        sum -= entry.value();
+      }
+      if (drops) *diagonal = sum;
+    }
+  });
+}
+
 }  // namespace stipple

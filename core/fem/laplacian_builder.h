@@ -20,6 +20,11 @@ struct WeightedEdge {
 /// the order of the additions. The edges are consumed.
 SparseMatrix buildLaplacian(Index rows, std::vector<WeightedEdge>&& edges);
 
+/// Makes such a matrix semidefinite, and steps with it keep to the range of the values: weights below 0
+/// (off-diagonals above 0), as schemes paper and mesh have at obtuse angles, become 0, and rows still sum to
+/// 0. Linear precision is lost there (Wardetzky et al. 2007); rows without such weights keep their bits.
+void dropNegativeWeights(SparseMatrix& laplacian);
+
 /// The edges that emit(begin, end, edges) appends for blocks of rows, in the order of the blocks.
 template <class Emit>
 std::vector<WeightedEdge> collectEdges(Index rows, Emit&& emit, const Progress* progress) {

@@ -69,7 +69,13 @@ SmoothingSurface::SmoothingSurface(const PointSet& points, const Attribute& attr
 }
 
 SparseMatrix SmoothingSurface::stiffness(bool blocksCreases, const Progress& progress) {
-  if (!blocksCreases && allFinite_) return assembleStiffness(discretization_, &progress);
+  if (!blocksCreases && allFinite_) {
+    SparseMatrix stiffness = assembleStiffness(discretization_, &progress);
+    // The cotangents of whole triangles are semidefinite; the fans of scheme paper, which do not agree, are
+    // not.
+    if (discretization_.options.scheme == Scheme::kPaper) dropNegativeWeights(stiffness);
+    return stiffness;
+  }
   return stiffnessTimes(std::vector<double>(discretization_.size(), 1.0), blocksCreases, progress);
 }
 
@@ -98,7 +104,10 @@ SparseMatrix SmoothingSurface::stiffnessTimes(const std::vector<double>& a, bool
     if (blocksCreases && turningAngle(planes_[std::min(i, j)], planes_[std::max(i, j)]) > turn) return 0.0;
     return a[i] + a[j] > 0 ? 2 * a[i] * a[j] / (a[i] + a[j]) : 0.0;
   };
-  return assembleStiffness(discretization_, factor, &progress);
+  SparseMatrix stiffness = assembleStiffness(discretization_, factor, &progress);
+  // Weights below 0 no longer cancel where the factors of a triangle differ: the values would run apart.
+  dropNegativeWeights(stiffness);
+  return stiffness;
 }
 
 }  // namespace stipple

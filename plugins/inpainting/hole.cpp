@@ -74,16 +74,7 @@ void summarizeKnown(const PointSet& points, const Attribute& attribute, const Re
 }  // namespace
 
 void makeSemidefinite(const Discretization& d, SparseMatrix& stiffness) {
-  if (d.options.scheme != Scheme::kPaper && d.options.scheme != Scheme::kMesh) return;
-  for (Eigen::Index row = 0; row < stiffness.rows(); ++row) {
-    double sum = 0;
-    for (SparseMatrix::InnerIterator entry(stiffness, row); entry; ++entry) {
-      if (entry.col() == row) continue;
-      entry.valueRef() = std::min(entry.value(), 0.0);
-      sum += entry.value();
-    }
-    stiffness.coeffRef(row, row) = -sum;
-  }
+  if (d.options.scheme == Scheme::kPaper || d.options.scheme == Scheme::kMesh) dropNegativeWeights(stiffness);
 }
 
 Hole prepareHole(const PointSet& points, const Attribute& attribute, const Region& region,

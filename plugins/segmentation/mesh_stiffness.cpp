@@ -52,18 +52,6 @@ SparseMatrix assembleFaces(const Discretization& mesh, const IsOpen& isOpen) {
 
 }  // namespace
 
-void dropNegativeWeights(SparseMatrix& stiffness) {
-  for (Eigen::Index row = 0; row < stiffness.rows(); ++row) {
-    double diagonal = 0;
-    for (SparseMatrix::InnerIterator entry(stiffness, row); entry; ++entry) {
-      if (entry.col() == row) continue;
-      entry.valueRef() = std::min(entry.value(), 0.0);
-      diagonal -= entry.value();
-    }
-    stiffness.coeffRef(row, row) = diagonal;
-  }
-}
-
 SparseMatrix assembleMeshStiffness(const Discretization& mesh, const Discretization& points,
                                    const SurfaceGraph& graph,
                                    const std::function<bool(Index, Index)>& isBlocked,

@@ -11,9 +11,6 @@ namespace stipple {
 /// such edges depends on digits of the weights.
 inline constexpr double kLeastWeight = 0.02;
 
-/// Makes a stiffness matrix semidefinite: weights below 0 become 0, rows still sum to 0.
-void dropNegativeWeights(SparseMatrix& stiffness);
-
 /// Stiffness of scheme mesh between the walls of the points (m x m, semidefinite). `mesh` and `points`
 /// discretize the same sites; `graph` holds the edges of the fans of `points`, `isBlocked` decides for edges
 /// that only the mesh has. Faces without a blocked edge keep their cotangents; of the others' sums, those
