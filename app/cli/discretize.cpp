@@ -11,7 +11,7 @@
 #include "app/cli/files.h"
 #include "app/cli/matrix_market.h"
 #include "core/fem/assembly.h"
-#include "core/geometry/consensus.h"
+#include "core/geometry/fan_votes.h"
 #include "core/stopwatch.h"
 
 namespace stipple {

@@ -118,11 +118,15 @@ Stroke readStroke(const Json& step, const std::string& where) {
   for (const Json& entry : dabs) {
     const std::string place = fmt::format("{}: dabs[{}]", inside, stroke.dabs.size());
     const auto numbers = entry.is_array() ? readNumbers(entry, place) : std::vector<double>{};
-    if (numbers.size() != 4) refuse(place, "is not [x,y,z,pressure]");
+    if (numbers.size() != 4 && numbers.size() != 5)
+      refuse(place, "is not [x,y,z,pressure] or [x,y,z,pressure,size]");
     if (!(numbers[3] >= 0 && numbers[3] <= 1)) {
       refuse(place, fmt::format("has pressure {}, expected in [0, 1]", numbers[3]));
     }
-    stroke.dabs.push_back({.position = {numbers[0], numbers[1], numbers[2]}, .pressure = numbers[3]});
+    const double size = numbers.size() == 5 ? numbers[4] : 1;
+    if (!(size > 0 && size <= 1)) refuse(place, fmt::format("has size {}, expected in (0, 1]", size));
+    stroke.dabs.push_back(
+        {.position = {numbers[0], numbers[1], numbers[2]}, .pressure = numbers[3], .size = size});
   }
   return stroke;
 }
@@ -166,6 +170,7 @@ Json toJson(const Stroke& stroke) {
   json["dabs"] = Json::array();
   for (const Dab& dab : stroke.dabs) {
     json["dabs"].push_back({dab.position.x(), dab.position.y(), dab.position.z(), dab.pressure});
+    if (dab.size != 1) json["dabs"].back().push_back(dab.size);
   }
   return {{"stroke", std::move(json)}};
 }

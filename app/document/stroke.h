@@ -14,10 +14,11 @@ enum class StrokeTool { kPaint, kErase, kSmooth };
 /// "paint", "erase", "smooth".
 const char* nameOf(StrokeTool tool);
 
-/// One touch of the brush: a place in file coordinates and a pressure in [0, 1] that scales the strength.
+/// One touch of the brush: a place in file coordinates, a pressure in [0, 1] that scales the strength, and
+/// the share in (0, 1] of the stroke's radius.
 struct Dab {
   Eigen::Vector3d position;
-  double pressure = 1;
+  double pressure = 1, size = 1;
 };
 
 /// A brush stroke without a camera. `value` has 1 number for float and integer attributes, 3 for vectors, 3
@@ -32,13 +33,13 @@ struct Stroke {
   std::string within = {};  ///< an attribute: only points where it is not 0. Empty: all
 };
 
-/// The points with the stroke laid down. A dab starts at the point nearest to it and reaches the points
-/// within `radius` along the surface (shortest paths over the 12 nearest neighbors). Integers inside are set;
-/// floats, vectors and colors blend toward the value with a smooth falloff. Erasing paints 0, or white for
-/// colors; smoothing the mean of the neighbors in the graph, for integers what most of them and the point
-/// have. A missing attribute is made by painting: colors for 3 or 4 numbers, otherwise int where the value is
-/// whole and float where not. Throws InvalidInput where the value does not suit the attribute, or an
-/// attribute is missing.
+/// The points with the stroke laid down. A dab starts at the point nearest to it, if that is within
+/// its radius, and reaches the points within `radius` along the surface (shortest paths over the 12 nearest
+/// neighbors). Integers inside are set; floats, vectors and colors blend toward the value with a smooth
+/// falloff. Erasing paints 0, or white for colors; smoothing the mean of the neighbors in the graph, for
+/// integers what most of them and the point have. A missing attribute is made by painting: colors for 3 or 4
+/// numbers, otherwise int where the value is whole and float where not. Throws InvalidInput where the value
+/// does not suit the attribute, or an attribute is missing.
 PointSet applyStroke(const PointSet& points, const Stroke& stroke, Progress& progress);
 
 }  // namespace stipple

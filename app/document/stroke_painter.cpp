@@ -111,7 +111,10 @@ AttributeValues newColumn(const Stroke& stroke, Index size) {
 std::vector<Touch> findTouched(const SurfaceDistance& surface, const Eigen::Vector3f& place, double radius,
                                double strength) {
   std::vector<Touch> touched;
-  for (const Reached& reached : surface.findWithin(surface.findNearest(place), static_cast<float>(radius))) {
+  const Index nearest = surface.findNearest(place);
+  // The mirror image of a place may be far from the surface.
+  if ((surface.sites().positions[nearest] - place).norm() > radius) return touched;
+  for (const Reached& reached : surface.findWithin(nearest, static_cast<float>(radius))) {
     const double t = std::min(1.0, reached.distance / radius);
     const double weight = strength * (1 - t * t) * (1 - t * t);
     for (const Index point : surface.pointsOf(reached.site)) touched.push_back({point, reached.site, weight});
@@ -246,7 +249,7 @@ std::vector<Edit::Touched> StrokePainter::lay(PointSet& points, const Dab& dab,
   std::vector<Touch> touched;
   if (points.size() > 0 && dab.pressure > 0) {
     const Eigen::Vector3f place = (dab.position - points.origin()).cast<float>();
-    touched = findTouched(*surface_, place, stroke_.radius, stroke_.strength * dab.pressure);
+    touched = findTouched(*surface_, place, stroke_.radius * dab.size, stroke_.strength * dab.pressure);
     keepPaintable(touched, points, stroke_.within, filter);
   }
   Attribute& attribute = *points.find(stroke_.attribute);

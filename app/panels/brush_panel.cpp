@@ -160,7 +160,27 @@ void drawStroke(const BrushModel& model, BrushActions& actions) {
                                 .help = "From one dab to the next, in radii of the brush."});
 }
 
+// One of two, or none.
+void drawPressure(const BrushModel& model, BrushActions& actions) {
+  const float gap = scaled(4), sizeWidth = scaled(44), strengthWidth = scaled(66);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("Pen");
+  ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - sizeWidth - strengthWidth -
+                  gap);
+  const auto offer = [&](const char* name, PanelPressure what, float width, const char* help) {
+    const bool isOn = model.pressure == what;
+    if (chip(name, {.isOn = isOn, .help = help, .size = ImVec2(width, 0)}))
+      actions.pressure = isOn ? PanelPressure::kNone : what;
+  };
+  ImGui::PushID("pen");  // there is a field for the strength, too
+  offer("Size", PanelPressure::kSize, sizeWidth, "The pressure of a pen scales the radius.");
+  ImGui::SameLine(0, gap);
+  offer("Strength", PanelPressure::kStrength, strengthWidth, "The pressure of a pen scales the strength.");
+  ImGui::PopID();
+}
+
 void drawLimits(const BrushModel& model, BrushActions& actions) {
+  drawPressure(model, actions);
   const float chipWidth = scaled(34), gap = scaled(4);
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("Symmetry");

@@ -13,6 +13,8 @@ namespace stipple {
 
 enum class PanelTool { kPaint, kErase, kSmooth, kSelect };
 enum class PanelRadiusUnit { kModel, kPixels };
+/// What the pressure of a pen scales.
+enum class PanelPressure { kNone, kSize, kStrength };
 
 /// What paint leaves behind: a color, ...
 struct PaintedColor {
@@ -40,7 +42,8 @@ struct BrushModel {
   float radius = 30, minRadius = 1, maxRadius = 500;  ///< in the radius unit
   float strength = 1;                                 ///< 0..1
   float spacing = 0.25f;                              ///< of dabs, in radii
-  std::array<bool, 3> symmetry{};                     ///< planes x = 0, y = 0, z = 0
+  PanelPressure pressure = PanelPressure::kSize;
+  std::array<bool, 3> symmetry{};  ///< planes x = 0, y = 0, z = 0
   bool onlyVisible = true, onlySelection = false;
   bool hasSelection = false;  ///< otherwise "only selection" cannot be turned on
 };
@@ -54,6 +57,7 @@ struct BrushActions {
   bool addLabel = false;
   std::optional<float> number, radius, strength, spacing;
   std::optional<PanelRadiusUnit> radiusUnit;
+  std::optional<PanelPressure> pressure;
   std::optional<std::array<bool, 3>> symmetry;
   std::optional<bool> onlyVisible, onlySelection;
 };

@@ -21,8 +21,8 @@ struct BrushSettings {
   double radius = 1;     ///< model units, > 0
   double radiusPx = 40;  ///< pixels of the picture; becomes a length where a stroke begins, for all of it
   double strength = 1;   ///< in (0, 1]
-  PressureMapping pressure = PressureMapping::kNone;
-  double spacing = 0.25;  ///< of dabs along the path, in radii, > 0
+  PressureMapping pressure = PressureMapping::kSize;  ///< a mouse always presses fully
+  double spacing = 0.25;                              ///< of dabs along the path, in radii, > 0
 
   SymmetryAxis symmetry = SymmetryAxis::kNone;
   Eigen::Vector3d symmetryCenter = Eigen::Vector3d::Zero();  ///< on the plane; file coordinates

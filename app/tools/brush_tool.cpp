@@ -115,7 +115,7 @@ BrushResponse BrushTool::goOn(const PointerEvent& event, const BrushCanvas& canv
   addDabs(path, canvas, response);
   const std::optional<Picked> picked = canvas.pickAt(event.px);
   ring_ = SurfaceRing{picked ? picked->position : running_->path.lastPlace(),
-                    static_cast<float>(stroke_.stroke.radius)};
+                      static_cast<float>(stroke_.stroke.radius)};
   return response;
 }
 
@@ -129,11 +129,9 @@ void BrushTool::addDabs(std::span<const PathDab> path, const BrushCanvas& canvas
         settings.pressure == PressureMapping::kSize ? std::max<double>(pressure, kLeastPenSize) : 1;
     const Eigen::Vector3d place =
         canvas.origin + Eigen::Vector3d(dab.position.x, dab.position.y, dab.position.z);
-    response.dabs.push_back({.position = place, .pressure = strength});
-    response.sizes.push_back(size);
+    response.dabs.push_back({.position = place, .pressure = strength, .size = size});
     if (const auto image = mirrorImageOf(place, settings, stroke_.stroke.radius)) {
-      response.dabs.push_back({.position = *image, .pressure = strength});
-      response.sizes.push_back(size);
+      response.dabs.push_back({.position = *image, .pressure = strength, .size = size});
     }
   }
 }

@@ -30,7 +30,6 @@ struct BrushResponse {
   bool redraw = false;  ///< the ring or a setting changed
   StrokePhase phase = StrokePhase::kNone;
   std::vector<Dab> dabs = {};  ///< new ones, in file coordinates, each followed by its mirror image if any
-  std::vector<double> sizes = {};  ///< parallel to dabs: share of the stroke's radius, in (0, 1]
 };
 
 /// A running stroke without its dabs.

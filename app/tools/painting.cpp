@@ -9,7 +9,9 @@ namespace stipple {
 namespace {
 
 std::string titleOf(const Stroke& stroke) {
-  const char* verb = stroke.tool == StrokeTool::kErase ? "Erase" : stroke.tool == StrokeTool::kSmooth ? "Smooth" : "Paint";
+  const char* verb = stroke.tool == StrokeTool::kErase    ? "Erase"
+                     : stroke.tool == StrokeTool::kSmooth ? "Smooth"
+                                                          : "Paint";
   return fmt::format("{} {}", verb, stroke.attribute);
 }
 

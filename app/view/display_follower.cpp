@@ -100,6 +100,7 @@ bool DisplayFollower::shows(const std::string& column) const {
 std::optional<SceneChange> DisplayFollower::follow(const PointSet& points, const DocumentChange& change) {
   if (change.everything || points.size() != size_) return show(points, wanted_);
   if (moved(points)) return restate(points, true);
+  if (change.triangles && look_.asMesh) return restate(points, false);
   std::vector<Index> rows;
   for (const Edit::Touched& touched : change.columns) {
     if (!shows(touched.name)) continue;

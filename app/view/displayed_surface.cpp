@@ -6,6 +6,7 @@
 
 #include "render/hierarchy/build.h"
 #include "render/hierarchy/closedness.h"
+#include "render/hierarchy/sort_leaves.h"
 #include "render/hierarchy/splat_radii.h"
 
 namespace stipple {
@@ -13,8 +14,6 @@ namespace stipple {
 namespace {
 
 constexpr std::size_t kGrain = 1 << 14;
-// Bytes a point while local fans are made: neighborhoods, frames, fans.
-constexpr std::size_t kFanBytes = 900;
 
 void placeLeaf(Splat& splat, const Eigen::Vector3f& position) {
   splat.x = position.x();
@@ -56,14 +55,8 @@ Extent measureExtent(const PointSet& points) {
   return radius > 0 ? Extent{{middle, radius}, spacing} : Extent{{middle, 1}, 0.1f};
 }
 
-Hierarchy refineHierarchy(const PointSet& points, std::span<const Rgba8> colors, std::size_t memoryBudget,
-                          const Progress* progress) {
-  SurfaceEstimate surface;
-  if (points.size() * kFanBytes <= memoryBudget) {
-    surface = estimateSurface(points, progress);
-  } else {
-    surface.normals = normalsOfFile(points);
-  }
+Hierarchy refineHierarchy(const PointSet& points, std::span<const Rgba8> colors, const Progress* progress) {
+  const SurfaceEstimate surface = estimateSurface(points, progress);
   Hierarchy refined = buildHierarchy({.positions = points.positions(),
                                       .radii = surface.radii,
                                       .areas = surface.areas,
@@ -80,11 +73,25 @@ DisplayedSurface::DisplayedSurface(const PointSet& points, std::span<const Rgba8
   hierarchy_ = buildHierarchy(
       {.positions = points.positions(), .radii = {}, .areas = {}, .normals = normals, .colors = colors},
       LeafOrder::kMorton, progress);
+  isSorted_ = size() == 0;
+  hasBlockNormals_ = normals.empty();
+}
+
+std::vector<NodeRange> DisplayedSurface::sortNext() {
+  const std::vector<NodeRange> changed =
+      sortLeaves(hierarchy_, sortedBlocks_++, {.fitsNormals = hasBlockNormals_});
+  isSorted_ = std::uint64_t{sortedBlocks_} * kSortedLeaves >= size();
+  return changed;
+}
+
+void DisplayedSurface::askClosedness(const PointSet& points, const Progress* progress) {
+  hierarchy_.isClosedAndOriented = isClosedAndOriented(points, hierarchy_, progress);
 }
 
 void DisplayedSurface::adopt(Hierarchy refined, const std::optional<std::vector<Index>>& recolored) {
   const Hierarchy before = std::move(hierarchy_);
   hierarchy_ = std::move(refined);
+  isSorted_ = true;
   const auto colorOf = [&](Index point) { return before.splats()[before.slotOfPoint[point]].color; };
   std::vector<Rgba8> colors(recolored ? recolored->size() : before.leafCount());
   if (recolored) {

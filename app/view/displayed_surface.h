@@ -22,10 +22,10 @@ struct Extent {
 };
 Extent measureExtent(const PointSet& points);
 
-/// A better hierarchy of the same points, made aside: kd order, discs and normals from local fans where that
-/// takes no more memory than `memoryBudget` bytes, and whether the model is closed. `colors` by point.
-Hierarchy refineHierarchy(const PointSet& points, std::span<const Rgba8> colors, std::size_t memoryBudget,
-                          const Progress* progress);
+/// A better hierarchy of the same points, made aside: kd order, discs and normals from local fans, and
+/// whether the model is closed. `colors` by point. Takes up to kRefinementBytes a point.
+Hierarchy refineHierarchy(const PointSet& points, std::span<const Rgba8> colors, const Progress* progress);
+inline constexpr std::size_t kRefinementBytes = 900;
 
 /// The hierarchy of what is shown, which follows the points: colors of some rows, of all, positions. It holds
 /// no column of the point set. Every change ends in a refit, and the ranges that changed are to be uploaded.
@@ -43,11 +43,19 @@ class DisplayedSurface {
   void adopt(Hierarchy refined, const std::optional<std::vector<Index>>& recolored);
   std::vector<NodeRange> recolor(std::span<const Index> rows, std::span<const Rgba8> colors);
   std::vector<NodeRange> recolorAll(std::span<const Rgba8> colors);
+  /// For hierarchies that are too large to be made a second time: brings the next block of leaves into kd
+  /// order.
+  std::vector<NodeRange> sortNext();
+  bool isSorted() const { return isSorted_; }
+  /// Whether the model is closed; `points` are those that are shown. Throws Cancelled.
+  void askClosedness(const PointSet& points, const Progress* progress);
   /// Takes positions anew, and normals where the points have them; discs stay as they are.
   std::vector<NodeRange> move(const PointSet& points);
 
  private:
   Hierarchy hierarchy_;
+  Index sortedBlocks_ = 0;
+  bool isSorted_ = true, hasBlockNormals_ = false;
 };
 
 }  // namespace stipple

@@ -136,6 +136,7 @@ bool FrameMaker::step(const Progress* interrupt) {
   if (!touched_.empty()) return redrawTouched();
   if (const auto due = nextDue(); !due || now < *due) return false;
   try {
+    if (stage_ == Stage::kAveraged) return improveSurface(interrupt);
     return stage_ == Stage::kCoarse ? refinePicture(interrupt) : averagePicture(interrupt);
   } catch (const Cancelled&) {
     return false;
@@ -147,6 +148,7 @@ std::optional<FrameMaker::Clock::time_point> FrameMaker::nextDue() const {
   if (stage_ == Stage::kStale || !touched_.empty()) return Clock::now();
   if (stage_ == Stage::kCoarse) return viewChanged_ + kViewRest;
   if (stage_ == Stage::kConverged) return std::max(viewChanged_ + kViewRest, sceneChanged_ + kSceneRest);
+  if (improvesInPlace()) return std::max(viewChanged_ + kViewRest, sceneChanged_ + kSceneRest);
   return {};
 }
 
@@ -216,6 +218,23 @@ bool FrameMaker::averagePicture(const Progress* interrupt) {
   return true;
 }
 
+bool FrameMaker::improvesInPlace() const {
+  return unrefined_ && unrefined_->points.size() * kRefinementBytes > refinementBudget;
+}
+
+// The picture stays until all is done.
+bool FrameMaker::improveSurface(const Progress* interrupt) {
+  if (!surface_.isSorted()) {
+    renderer_->upload(surface_.hierarchy(), surface_.sortNext());
+    return false;
+  }
+  if (asksClosedness) surface_.askClosedness(unrefined_->points, interrupt);
+  unrefined_.reset();
+  cutMemory_ = {};
+  touchAll();
+  return false;
+}
+
 bool FrameMaker::redrawTouched() {
   const auto begin = Clock::now();
   std::ranges::sort(touched_, {}, &NodeRange::begin);
@@ -237,8 +256,8 @@ bool FrameMaker::redrawTouched() {
 
 std::optional<Unrefined> FrameMaker::takeUnrefined() {
   const bool isCalm = Clock::now() - sceneChanged_ >= kSceneRest;
-  if (!isCalm || (stage_ != Stage::kConverged && stage_ != Stage::kAveraged)) return {};
-  return std::exchange(unrefined_, {});
+  if (!isCalm || improvesInPlace() || (stage_ != Stage::kConverged && stage_ != Stage::kAveraged)) return {};
+  return std::exchange(unrefined_, std::nullopt);
 }
 
 FrameNotes FrameMaker::notes() const {

@@ -92,7 +92,8 @@ class FrameMaker {
   std::optional<Clock::time_point> nextDue() const;
 
   /// Once for every surface, when its first picture is complete and nothing moves: what a better hierarchy is
-  /// to be made of.
+  /// to be made of. Nothing where that would take more than `refinementBudget`: then step() betters the one
+  /// that there is, piece by piece.
   std::optional<Unrefined> takeUnrefined();
   FrameNotes notes() const;
   /// The last picture with its depth. Copies both from the back end.
@@ -104,6 +105,11 @@ class FrameMaker {
 
   /// Milliseconds that a picture may take while something moves.
   double motionBudget = 24;
+  /// Bytes that a better hierarchy may take while it is made.
+  std::size_t refinementBudget = std::size_t{3} << 30;
+  /// Surfaces that are bettered in place are asked whether they are closed: takes seconds for 10 M points,
+  /// but for the interrupt.
+  bool asksClosedness = true;
   /// Pixels may be twice as large while the view moves, where they take most of the time.
   bool mayCoarsenPixels = false;
 
@@ -119,6 +125,8 @@ class FrameMaker {
   View drawnSize(const View& view, int coarseness) const;
   bool refinePicture(const Progress* interrupt);
   bool averagePicture(const Progress* interrupt);
+  bool improvesInPlace() const;
+  bool improveSurface(const Progress* interrupt);
   bool redrawTouched();
   void touchAll();
   void noteUnrefined(std::uint64_t surface, PointSet points, PointColors colors);

@@ -26,7 +26,7 @@ void SurfaceRefiner::start(Unrefined unrefined, std::function<void()> wake) {
                    const UntilStopped progress(*stopped);
                    try {
                      const std::vector<Rgba8> colors = held.colors.of(held.points);
-                     Hierarchy refined = refineHierarchy(held.points, colors, memoryBudget, &progress);
+                     Hierarchy refined = refineHierarchy(held.points, colors, &progress);
                      progress.throwIfCancelled();
                      requests_.post(Refined{.surface = held.surface, .hierarchy = std::move(refined)}, 0);
                      wake();

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <atomic>
-#include <cstddef>
 #include <functional>
 #include <memory>
 
@@ -22,9 +21,6 @@ class SurfaceRefiner {
   void start(Unrefined unrefined, std::function<void()> wake);
   /// Waits until nothing of it is at work.
   void stop();
-
-  /// Bytes that local fans may take; surfaces that need more keep discs from blocks.
-  std::size_t memoryBudget = std::size_t{3} << 30;
 
  private:
   FrameRequests& requests_;

@@ -98,6 +98,7 @@ Image GlViewport::picture() {
 void GlViewport::initializeGL() {
   try {
     maker_ = std::make_unique<FrameMaker>(std::make_unique<GlRenderer>());
+    maker_->asksClosedness = false;  // the window would stand still
   } catch (const Error& error) {
     if (failed) failed(error.what());
   }

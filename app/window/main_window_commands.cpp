@@ -105,7 +105,7 @@ void MainWindow::addViewCommands() {
     action->setChecked(mode == SplatMode::kSplats);
     modes->addAction(action);
   }
-  add({.id = "mesh", .title = tr("Triangles of the file"), .isCheckable = true}, [this] {
+  add({.id = "mesh", .title = tr("Triangles"), .isCheckable = true}, [this] {
     if (OpenScan* scan = workbench_.current()) {
       scan->look.asMesh = commands_->action("mesh")->isChecked();
       view_->relook();

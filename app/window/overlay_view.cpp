@@ -101,6 +101,7 @@ void OverlayView::showBrush(const BrushSettings& settings, bool isSelecting, con
   brush.maxRadius = isModel ? 0.5f * scan.extent.sphere.radius : 500;
   brush.strength = static_cast<float>(settings.strength);
   brush.spacing = static_cast<float>(settings.spacing);
+  brush.pressure = static_cast<PanelPressure>(settings.pressure);
   if (settings.symmetry != SymmetryAxis::kNone)
     brush.symmetry[static_cast<std::size_t>(settings.symmetry) - 1] = true;
   brush.onlyVisible = settings.onlyVisible;
@@ -226,7 +227,7 @@ bool applyBrushActions(const BrushActions& actions, const std::vector<std::strin
   const bool isAnything = actions.attribute || actions.color || actions.label || actions.addLabel ||
                           actions.number || actions.radius || actions.strength || actions.spacing ||
                           actions.radiusUnit || actions.symmetry || actions.onlyVisible ||
-                          actions.onlySelection;
+                          actions.onlySelection || actions.pressure;
   if (!isAnything) return false;
   if (actions.attribute && static_cast<std::size_t>(*actions.attribute) < attributes.size()) {
     settings.attribute = attributes[static_cast<std::size_t>(*actions.attribute)];
@@ -261,6 +262,7 @@ bool applyBrushActions(const BrushActions& actions, const std::vector<std::strin
     for (std::size_t axis = 0; axis < 3; ++axis) fresh[axis] = fresh[axis] && !before[axis];
     settings.symmetry = symmetryOf(std::ranges::count(fresh, true) ? fresh : *actions.symmetry);
   }
+  if (actions.pressure) settings.pressure = static_cast<PressureMapping>(*actions.pressure);
   if (actions.onlyVisible) settings.onlyVisible = *actions.onlyVisible;
   if (actions.onlySelection) settings.within = *actions.onlySelection ? "selection" : "";
   return true;

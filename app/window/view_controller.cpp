@@ -229,6 +229,8 @@ bool ViewController::handlePointer(const PointerEvent& event) {
   feedOverlay(overlayContext_, event);
   const bool isWorking = painting_.isActive() || navigation_.isDragging() || !outline_.empty();
   if (overlayContext_.wantsMouse() && !isWorking) {
+    // What is clicked acts before anything else is done, however long a picture takes.
+    if (event.action != PointerAction::kMove) applyOverlay(stepOverlay().actions);
     viewport_->widget().update();
     return true;
   }

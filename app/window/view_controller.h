@@ -91,6 +91,11 @@ class ViewController final : public QObject {
   void followPoints();
   void followPreview(const PointSet& state);
   void postView();
+  struct OverlayStep {
+    OverlayActions actions;
+    const ImDrawData& drawing;
+  };
+  OverlayStep stepOverlay();
   const ImDrawData& drawOverlay();
   void applyOverlay(const OverlayActions& actions);
   void fillOverlay();

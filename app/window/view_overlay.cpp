@@ -176,16 +176,20 @@ void ViewController::fillOverlay() {
   overlayView_.showStatistics(scan, viewport_->notes(), viewport_->backend());
 }
 
-const ImDrawData& ViewController::drawOverlay() {
+ViewController::OverlayStep ViewController::stepOverlay() {
   fillOverlay();
   const PictureSize size = pictureSize();
   const auto seconds = static_cast<float>(overlayClock_.restart()) / 1000;
   overlayContext_.beginFrame({size.width, size.height}, std::max(seconds, 1e-4f));
   const OverlayActions actions = overlayView_.draw(overlayLines(), overlayTexts());
-  const ImDrawData& drawing = overlayContext_.endFrame();
+  return {actions, overlayContext_.endFrame()};
+}
+
+const ImDrawData& ViewController::drawOverlay() {
+  const auto [actions, drawing] = stepOverlay();
   // What the user did acts after the picture is painted, not within.
   QMetaObject::invokeMethod(
-      this, [this, actions] { applyOverlay(actions); }, Qt::QueuedConnection);
+      this, [this, actions = actions] { applyOverlay(actions); }, Qt::QueuedConnection);
   if (overlayContext_.hasPendingInput() || overlayView_.isAnimated())
     QTimer::singleShot(30, this, [this] { viewport_->widget().update(); });
   return drawing;

@@ -175,6 +175,7 @@ void Workbench::showResult(OpenScan& scan, const std::string& operatorId,
   if (std::ranges::find(touched, shown.empty() ? "color" : shown, &Edit::Touched::name) != touched.end())
     return;
   for (const std::string& name : registry().find(operatorId)->description().writes) {
+    if (name == "triangles") scan.look.asMesh = true;
     const Attribute* attribute = scan.document.points().find(name);
     if (!attribute || attribute->type() == AttributeType::kVector3) continue;
     const bool isColor = attribute->type() == AttributeType::kColor;

@@ -18,10 +18,4 @@ std::vector<std::uint8_t> reachConsensus(std::span<const Eigen::Vector3f> positi
                                          std::span<const Eigen::Vector3f> normals, Fans& fans,
                                          const Progress* progress = nullptr);
 
-/// True where the fan of `site` has a triangle with a and b, in either order.
-bool hasTriangle(const Fans& fans, Index site, Index a, Index b);
-
-/// Share of triangle instances that stand in the fans of all three corners.
-double shareOfConsistentTriangles(const Fans& fans);
-
 }  // namespace stipple

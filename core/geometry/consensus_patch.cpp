@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <unordered_map>
 
-#include "core/geometry/consensus.h"
+#include "core/geometry/local_fan.h"
 
 namespace stipple {
 
@@ -63,20 +64,27 @@ bool overlap(const Sector& a, const Sector& b) {
 // The accepted triangles of a patch and what they occupy.
 class Patch {
  public:
+  /// `sites` may repeat; linksOf(site): the edges opposite to it of the triangles that are settled.
+  using Links = std::vector<std::array<Index, 2>>;
   Patch(std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> normals,
-        const Fans& fans, std::span<const VotedTriangle> disputed);
+        std::vector<Index> sites, const std::function<Links(Index)>& linksOf);
 
   void acceptDisputed(std::span<const VotedTriangle> disputed);
-  void closeSmallHoles();
+  /// Loops of at most 12 edges with one triangle each, between sites whose own fans expect no boundary.
+  void closeSmallHoles(std::span<const std::uint8_t> open);
+  void closeLoop(std::vector<Index> loop);
+  /// From now on triangles may overlap in a tangent plane, which is poor where the surface is sharp, and fold
+  /// up to 11 degrees from the one beside.
+  void relax() { isRelaxed_ = true; }
   void flipToDelaunay();
-  std::vector<PatchFan> replacedFans() const;
+  std::vector<PatchFan> replacedFans(std::span<const std::uint8_t> open) const;
+  const std::vector<Triangle>& accepted() const { return accepted_; }
 
  private:
   struct Corner {
     Index site = 0;
     std::vector<Sector> sectors;
-    std::vector<std::array<Index, 2>>
-        settled;  // edges opposite to the site, of triangles that all fans share
+    Links settled;
   };
 
   std::size_t localOf(Index site) const {
@@ -89,41 +97,33 @@ class Patch {
   Sector sectorAt(Index site, Index a, Index b) const;
   bool foldsOver(Index a, Index b, Index third) const;
   bool accept(const Triangle& t);
-  void closeLoop(std::vector<Index> loop);
   bool wantsFlip(Index a, Index b, Index p, Index q) const;
   void flip(Index a, Index b);
-  std::optional<PatchFan> chainLinks(Index site, std::span<const std::array<Index, 2>> links) const;
+  std::optional<PatchFan> chainLinks(Index site, const Links& links, bool mayBeOpen) const;
 
   std::span<const Eigen::Vector3f> positions_, normals_;
-  const Fans& fans_;
   std::vector<Index> sites_;  // ascending
   std::vector<Corner> corners_;
   std::vector<Triangle> accepted_;
+  bool isRelaxed_ = false;
   std::unordered_map<std::uint64_t, EdgeFlaps> edges_;
 };
 
 Patch::Patch(std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> normals,
-             const Fans& fans, std::span<const VotedTriangle> disputed)
-    : positions_(positions), normals_(normals), fans_(fans) {
-  for (const VotedTriangle& t : disputed) sites_.insert(sites_.end(), t.corners.begin(), t.corners.end());
+             std::vector<Index> sites, const std::function<Links(Index)>& linksOf)
+    : positions_(positions), normals_(normals), sites_(std::move(sites)) {
   std::sort(sites_.begin(), sites_.end());
   sites_.erase(std::unique(sites_.begin(), sites_.end()), sites_.end());
   corners_.resize(sites_.size());
   for (std::size_t c = 0; c < sites_.size(); ++c) {
     corners_[c].site = sites_[c];
+    corners_[c].settled = linksOf(sites_[c]);
     addSettled(corners_[c]);
   }
 }
 
-// The triangles of the corner's fan on which all three fans agree.
 void Patch::addSettled(Corner& corner) {
-  const auto spokes = fans_.of(corner.site);
-  const auto flags = fans_.flagsOf(corner.site);
-  for (std::size_t s = 0; s < spokes.size(); ++s) {
-    if (flags[s] & Fans::kGapAfter) continue;
-    const Index a = spokes[s], b = spokes[s + 1 == spokes.size() ? 0 : s + 1];
-    if (!hasTriangle(fans_, a, corner.site, b) || !hasTriangle(fans_, b, corner.site, a)) continue;
-    corner.settled.push_back({a, b});
+  for (const auto& [a, b] : corner.settled) {
     corner.sectors.push_back(sectorAt(corner.site, a, b));
     for (const auto& [end, opposite] : {std::pair{a, b}, std::pair{b, a}}) {
       // An edge inside the patch is seen from both ends: entered by the lower one.
@@ -144,9 +144,9 @@ Sector Patch::sectorAt(Index site, Index a, Index b) const {
   return turn < 0 ? Sector{angleB, -turn} : Sector{angleA, turn};
 }
 
-// The new flap would lie within 45 degrees of the one that is there.
+// The new flap would lie within 45 degrees of the one that is there (11 where that closes a hole).
 bool Patch::foldsOver(Index a, Index b, Index third) const {
-  constexpr double kCosine = 0.7;
+  const double least = isRelaxed_ ? 0.98 : 0.7;
   const auto edge = edges_.find(edgeKey(a, b));
   if (edge == edges_.end() || edge->second.count == 0) return false;
   const Eigen::Vector3d along = (at(b) - at(a)).normalized();
@@ -155,7 +155,7 @@ bool Patch::foldsOver(Index a, Index b, Index third) const {
     return d - along * along.dot(d);
   };
   const Eigen::Vector3d old = flap(edge->second.opposite[0]), fresh = flap(third);
-  return old.dot(fresh) > kCosine * old.norm() * fresh.norm();
+  return old.dot(fresh) > least * old.norm() * fresh.norm();
 }
 
 bool Patch::accept(const Triangle& t) {
@@ -167,7 +167,7 @@ bool Patch::accept(const Triangle& t) {
     if (foldsOver(here, next, last)) return false;
     sectors[c] = sectorAt(here, next, last);
     for (const Sector& taken : corners_[localOf(here)].sectors) {
-      if (overlap(taken, sectors[c])) return false;
+      if (!isRelaxed_ && overlap(taken, sectors[c])) return false;
     }
   }
   for (std::size_t c = 0; c < 3; ++c) {
@@ -199,8 +199,7 @@ void Patch::acceptDisputed(std::span<const VotedTriangle> disputed) {
   for (const Ranked& t : order) accept(t.corners);
 }
 
-// Loops of at most 12 edges with one triangle each, between sites whose own fans expect no boundary.
-void Patch::closeSmallHoles() {
+void Patch::closeSmallHoles(std::span<const std::uint8_t> open) {
   constexpr std::size_t kLongest = 12;
   std::unordered_map<Index, std::vector<Index>> rim;
   for (const auto& [key, flaps] : edges_) {
@@ -218,7 +217,7 @@ void Patch::closeSmallHoles() {
     Index previous = start, here = start;
     do {
       const auto& next = rim[here];
-      usable = next.size() == 2 && !fans_.open[here] && loop.size() < kLongest;
+      usable = next.size() == 2 && !open[here] && loop.size() < kLongest;
       if (!usable) break;
       loop.push_back(here);
       const Index forward = next[0] == previous ? next[1] : next[0];
@@ -303,7 +302,7 @@ void Patch::flipToDelaunay() {
 }
 
 // One cycle of all links, or one chain where the site's own fan was open.
-std::optional<PatchFan> Patch::chainLinks(Index site, std::span<const std::array<Index, 2>> links) const {
+std::optional<PatchFan> Patch::chainLinks(Index site, const Links& links, bool mayBeOpen) const {
   if (links.empty()) return std::nullopt;
   std::unordered_map<Index, std::vector<Index>> next;
   for (const auto& [a, b] : links) {
@@ -316,7 +315,7 @@ std::optional<PatchFan> Patch::chainLinks(Index site, std::span<const std::array
     if (linked.size() == 1) ends.push_back(spoke);
   }
   const bool open = !ends.empty();
-  if (open && (ends.size() != 2 || !fans_.open[site])) return std::nullopt;
+  if (open && (ends.size() != 2 || !mayBeOpen)) return std::nullopt;
 
   PatchFan fan{site, open, {}};
   Index previous = site;
@@ -333,8 +332,8 @@ std::optional<PatchFan> Patch::chainLinks(Index site, std::span<const std::array
   return fan;
 }
 
-std::vector<PatchFan> Patch::replacedFans() const {
-  std::vector<std::vector<std::array<Index, 2>>> links(sites_.size());
+std::vector<PatchFan> Patch::replacedFans(std::span<const std::uint8_t> open) const {
+  std::vector<Links> links(sites_.size());
   for (std::size_t c = 0; c < sites_.size(); ++c) links[c] = corners_[c].settled;
   for (const Triangle& t : accepted_) {
     for (std::size_t c = 0; c < 3; ++c) links[localOf(t[c])].push_back({t[(c + 1) % 3], t[(c + 2) % 3]});
@@ -342,7 +341,7 @@ std::vector<PatchFan> Patch::replacedFans() const {
   std::vector<PatchFan> fans;
   for (std::size_t c = 0; c < sites_.size(); ++c) {
     const Index site = sites_[c];
-    std::optional<PatchFan> fan = chainLinks(site, links[c]);
+    std::optional<PatchFan> fan = chainLinks(site, links[c], open[site] != 0);
     if (!fan) continue;
     // Counterclockwise about the normal: the turns from spoke to spoke add up to a positive number.
     double turned = 0;
@@ -359,16 +358,54 @@ std::vector<PatchFan> Patch::replacedFans() const {
   return fans;
 }
 
+// Edges opposite to a site of the triangles on which all three fans agree.
+Patch::Links agreedLinks(const Fans& fans, Index site) {
+  Patch::Links links;
+  const auto spokes = fans.of(site);
+  const auto flags = fans.flagsOf(site);
+  for (std::size_t s = 0; s < spokes.size(); ++s) {
+    if (flags[s] & Fans::kGapAfter) continue;
+    const Index a = spokes[s], b = spokes[s + 1 == spokes.size() ? 0 : s + 1];
+    if (hasTriangle(fans, a, site, b) && hasTriangle(fans, b, site, a)) links.push_back({a, b});
+  }
+  return links;
+}
+
 }  // namespace
 
-std::vector<PatchFan> resolvePatch(std::span<const Eigen::Vector3f> positions,
-                                   std::span<const Eigen::Vector3f> normals, const Fans& fans,
-                                   std::span<const VotedTriangle> disputed) {
-  Patch patch(positions, normals, fans, disputed);
+ResolvedPatch resolvePatch(std::span<const Eigen::Vector3f> positions,
+                           std::span<const Eigen::Vector3f> normals, const Fans& fans,
+                           std::span<const VotedTriangle> disputed) {
+  std::vector<Index> sites;
+  for (const VotedTriangle& t : disputed) sites.insert(sites.end(), t.corners.begin(), t.corners.end());
+  Patch patch(positions, normals, std::move(sites), [&](Index site) { return agreedLinks(fans, site); });
   patch.acceptDisputed(disputed);
-  patch.closeSmallHoles();
+  patch.closeSmallHoles(fans.open);
   patch.flipToDelaunay();
-  return patch.replacedFans();
+  return {patch.replacedFans(fans.open), patch.accepted()};
+}
+
+std::vector<Triangle> closeLoop(std::span<const Eigen::Vector3f> positions,
+                                std::span<const Eigen::Vector3f> normals, std::span<const Index> loop,
+                                std::span<const Triangle> around) {
+  const auto linksOf = [&](Index site) {
+    Patch::Links links;
+    for (const Triangle& t : around) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        if (t[c] == site) links.push_back({t[(c + 1) % 3], t[(c + 2) % 3]});
+      }
+    }
+    return links;
+  };
+  std::vector<Triangle> most;
+  for (const bool isRelaxed : {false, true}) {
+    Patch patch(positions, normals, {loop.begin(), loop.end()}, linksOf);
+    if (isRelaxed) patch.relax();
+    patch.closeLoop({loop.begin(), loop.end()});
+    if (patch.accepted().size() > most.size()) most = patch.accepted();
+    if (most.size() + 2 == loop.size()) break;
+  }
+  return most;
 }
 
 }  // namespace stipple

@@ -109,11 +109,15 @@ void append(const Scratch& s, std::vector<Index>& neighbors, std::vector<float>&
 
 struct NeighborSearch::Impl {
   Impl(std::span<const Eigen::Vector3f> points, int k)
-      : positions(points), typicalK(std::max(k, 1)), cells(points, kPointsPerCellAndNeighbor * typicalK) {}
+      : positions(points),
+        typicalK(std::max(k, 1)),
+        cells(points, std::max(kPointsPerCellAndNeighbor * typicalK, kLeastPointsPerCell)) {}
 
   // A surface of density d crosses about 1.5 A / c^2 cells of size c, and the ball of radius c that a block
   // of 27 cells is sure to hold has pi d c^2 points: 1.3 times the k wanted.
   static constexpr double kPointsPerCellAndNeighbor = 0.28;
+  // An occupied cell has a point: for a few neighbors the rule would ask for the finest cells that there are.
+  static constexpr double kLeastPointsPerCell = 1.5;
 
   std::span<const Eigen::Vector3f> positions;
   int typicalK;

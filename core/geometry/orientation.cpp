@@ -123,19 +123,6 @@ std::vector<Pair> collectSeams(const Discretization& d, SignedSets& sets) {
   return seams;
 }
 
-// Per site the sum of the unit normals that its points have in the file; zero where they have none.
-std::vector<Eigen::Vector3f> normalsOfFile(const Discretization& d, const PointSet& points) {
-  const Attribute* const attribute = points.find("normal");
-  if (attribute == nullptr || attribute->type() != AttributeType::kVector3) return {};
-  const auto values = attribute->column.view<Eigen::Vector3f>();
-  std::vector<Eigen::Vector3f> sums(d.size(), Eigen::Vector3f::Zero());
-  for (std::size_t p = 0; p < values.size(); ++p) {
-    const Eigen::Vector3f unit = values[p].stableNormalized();
-    if (unit.allFinite()) sums[d.sites.siteOfPoint[p]] += unit;
-  }
-  return sums;
-}
-
 // +1 or -1 where the reference is within 60 degrees of the normal or its opposite, else 0.
 std::vector<int> compareWith(const std::vector<Eigen::Vector3f>& reference, const Discretization& d) {
   std::vector<int> signs(d.size(), 0);
@@ -150,7 +137,7 @@ std::vector<int> compareWith(const std::vector<Eigen::Vector3f>& reference, cons
 // normal (a constant, another quantity), or where a quarter of the votes contradicts them (signs of chance).
 std::vector<int> signsOfFile(const Discretization& d, const PointSet& points,
                              const std::vector<Pair>& pairs) {
-  const auto reference = normalsOfFile(d, points);
+  const auto reference = sumNormals(d.sites, points);
   if (reference.empty()) return {};
   std::vector<int> signs = compareWith(reference, d);
   const auto given = std::ranges::count_if(reference, [](const auto& v) { return v.norm() > 0.5f; });
@@ -200,6 +187,18 @@ std::vector<Top> findTops(const Discretization& d, SignedSets& sets) {
 }
 
 }  // namespace
+
+std::vector<Eigen::Vector3f> sumNormals(const Sites& sites, const PointSet& points) {
+  const Attribute* const attribute = points.find("normal");
+  if (attribute == nullptr || attribute->type() != AttributeType::kVector3) return {};
+  const auto values = attribute->column.view<Eigen::Vector3f>();
+  std::vector<Eigen::Vector3f> sums(sites.size(), Eigen::Vector3f::Zero());
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    const Eigen::Vector3f unit = values[p].stableNormalized();
+    if (unit.allFinite()) sums[sites.siteOfPoint[p]] += unit;
+  }
+  return sums;
+}
 
 Orientation orientNormals(const Discretization& d, const PointSet& points, const Progress* progress) {
   std::vector<Pair> pairs = collectVotes(d, progress);

@@ -14,6 +14,10 @@ struct Orientation {
   Index conflicts = 0;                   ///< votes that the signs go against; 0 on a clean scan
 };
 
+/// Sums of the unit normals that the points of each site have in the attribute `normal`, 0 where not finite.
+/// Empty where there is none.
+std::vector<Eigen::Vector3f> sumNormals(const Sites& sites, const PointSet& points);
+
 /// Gives the normals of a discretization consistent signs. The attribute `normal` of the points decides where
 /// it is there and makes sense (not random signs, not one constant); for scheme mesh else the winding of the
 /// triangles. Elsewhere pairs of fans vote: a triangle that both have runs the same way round in both iff

@@ -37,4 +37,7 @@ struct PlacedPoint {
 RawVector<PlacedPoint> orderLeaves(std::span<const Eigen::Vector3f> positions, LeafOrder order,
                                    const Progress* progress = nullptr);
 
+/// Left-balanced kd order of these points, in place.
+void sortByKdOrder(std::span<PlacedPoint> points, const Progress* progress = nullptr);
+
 }  // namespace stipple

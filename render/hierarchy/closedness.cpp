@@ -66,7 +66,7 @@ class Cells {
     }
   }
 
-  void floodFromOutside();
+  void floodFromOutside(const Progress* progress);
 
  private:
   static std::uint16_t octantOf(const glm::vec3& n) {
@@ -93,25 +93,32 @@ class Cells {
   std::vector<std::uint16_t> cells_;
 };
 
-void Cells::floodFromOutside() {
-  const std::size_t row = size_[0], layer = row * size_[1];
+// Runs along rows: each is filled at once, and asks those beside it.
+void Cells::floodFromOutside(const Progress* progress) {
+  constexpr std::size_t kBetweenLooks = 1 << 12;
+  const std::size_t row = size_[0], layer = row * size_[1], last = cells_.size();
   std::vector<std::size_t> open{0};
-  cells_[0] = kOutside;
-  const auto reach = [&](std::size_t cell) {
-    if (cells_[cell] != 0) return;
-    cells_[cell] = kOutside;
-    open.push_back(cell);
-  };
-  while (!open.empty()) {
+  for (std::size_t runs = 0; !open.empty(); ++runs) {
+    if (progress && runs % kBetweenLooks == 0) progress->throwIfCancelled();
     const std::size_t cell = open.back();
     open.pop_back();
-    const std::size_t x = cell % row, y = cell % layer / row, z = cell / layer;
-    if (x > 0) reach(cell - 1);
-    if (x + 1 < row) reach(cell + 1);
-    if (y > 0) reach(cell - row);
-    if (y + 1 < static_cast<std::size_t>(size_[1])) reach(cell + row);
-    if (z > 0) reach(cell - layer);
-    if (z + 1 < static_cast<std::size_t>(size_[2])) reach(cell + layer);
+    if (cells_[cell] != 0) continue;
+    const std::size_t rowBegin = cell - cell % row, rowEnd = rowBegin + row;
+    std::size_t begin = cell, end = cell + 1;
+    while (begin > rowBegin && cells_[begin - 1] == 0) --begin;
+    while (end < rowEnd && cells_[end] == 0) ++end;
+    std::fill(cells_.begin() + static_cast<std::ptrdiff_t>(begin),
+              cells_.begin() + static_cast<std::ptrdiff_t>(end), kOutside);
+    const auto askRow = [&](std::size_t from) {
+      for (std::size_t i = 0; i < end - begin; ++i) {
+        if (cells_[from + i] == 0 && (i == 0 || cells_[from + i - 1] != 0)) open.push_back(from + i);
+      }
+    };
+    const std::size_t y = cell % layer / row;
+    if (y > 0) askRow(begin - row);
+    if (y + 1 < static_cast<std::size_t>(size_[1])) askRow(begin + row);
+    if (cell >= layer) askRow(begin - layer);
+    if (cell + layer < last) askRow(begin + layer);
   }
 }
 
@@ -234,7 +241,7 @@ bool encloseTheirBacks(const Hierarchy& hierarchy, const Exceptions& most, const
   forLeaves([&](std::span<const Splat> part) {
     for (const Splat& leaf : part) cells.mark(leaf, unpackNormal(leaf.shape));
   });
-  cells.floodFromOutside();
+  cells.floodFromOutside(progress);
   Tally sum;
   forLeaves([&](std::span<const Splat> part) { tally(cells, part, sum); });
   const auto count = static_cast<double>(leaves.size());

@@ -138,7 +138,9 @@ void split(std::span<PlacedPoint> points, std::size_t left, int axis) {
       [axis](const PlacedPoint& a, const PlacedPoint& b) { return a.position[axis] < b.position[axis]; });
 }
 
-void splitRecursively(std::span<PlacedPoint> points, const Progress* progress) {
+}  // namespace
+
+void sortByKdOrder(std::span<PlacedPoint> points, const Progress* progress) {
   constexpr std::size_t kParallel = 1 << 17;
   if (points.size() <= Hierarchy::kArity) return;
   // The left part is full: a power of two, so that aligned blocks of slots are subtrees.
@@ -146,20 +148,18 @@ void splitRecursively(std::span<PlacedPoint> points, const Progress* progress) {
   split(points, left, longestAxis(points));
   const std::array parts = {points.first(left), points.subspan(left)};
   if (points.size() < kParallel) {
-    for (const std::span<PlacedPoint>& part : parts) splitRecursively(part, progress);
+    for (const std::span<PlacedPoint>& part : parts) sortByKdOrder(part, progress);
     return;
   }
   parallelFor(
-      2, 1, [&](std::size_t part, std::size_t) { splitRecursively(parts[part], progress); }, progress);
+      2, 1, [&](std::size_t part, std::size_t) { sortByKdOrder(parts[part], progress); }, progress);
 }
-
-}  // namespace
 
 RawVector<PlacedPoint> orderLeaves(std::span<const Eigen::Vector3f> positions, LeafOrder order,
                                    const Progress* progress) {
   RawVector<PlacedPoint> points = MortonSort(positions, progress).sort();
   // From the Morton order, where points that stand together fall on one side together: branches are foreseen.
-  if (order == LeafOrder::kKd) splitRecursively(points, progress);
+  if (order == LeafOrder::kKd) sortByKdOrder(points, progress);
   return points;
 }
 

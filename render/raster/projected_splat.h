@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "render/appearance/appearance.h"
 #include "render/hierarchy/hierarchy.h"
@@ -17,6 +16,13 @@ struct PixelBox {
   friend bool operator==(const PixelBox&, const PixelBox&) = default;
 };
 
+/// What is known of a splat before it is projected: the pixels that the ball about it may touch (none where
+/// it is not in the picture), and a depth that all of it lies behind.
+struct SplatReach {
+  PixelBox box;
+  float nearest = 0;
+};
+
 /// A splat on the screen. At an offset (dx, dy) in pixels from its center a ray meets its plane at the place
 /// (l0, l1) in units of the radius: with n_k = a_k dx + b_k dy and u = u0 + u1 dx + u2 dy, perspective: depth
 /// z = 1 / u and l_k = n_k z; orthographic: z = u and l_k = n_k.
@@ -28,13 +34,14 @@ struct ProjectedSplat {
   float z = 0, radius = 0;             // of the center, world units
   float nx = 0, ny = 0, nz = -1;       // unit, view space, towards the viewer
   float red = 0, green = 0, blue = 0;  // linear
-  Index node = 0;
+  PixelBox box;                        // pixels it may touch; empty where it is not in the picture
 };
 
-/// Projects nodes of a cut. `boxes` says which pixels each may touch; empty where it is not in the picture.
-/// Both have the length of `nodes`.
-void projectSplats(std::span<const Splat> splats, std::span<const Index> nodes, const View& view,
-                   const Appearance& appearance, std::span<ProjectedSplat> projected,
-                   std::span<PixelBox> boxes);
+/// `reach` has the length of `splats`.
+void findReach(std::span<const Splat> splats, const View& view, std::span<SplatReach> reach);
+
+/// Projects the splats at these places; `projected` has the length of `places`.
+void projectSplats(std::span<const Splat> splats, std::span<const std::uint32_t> places, const View& view,
+                   const Appearance& appearance, std::span<ProjectedSplat> projected);
 
 }  // namespace stipple

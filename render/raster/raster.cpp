@@ -13,6 +13,10 @@ namespace {
 constexpr std::size_t kGrain = 1 << 12;
 constexpr int kTilesAtOnce = 4;
 
+bool hasSameShape(const Splat& a, const Splat& b) {
+  return a.center() == b.center() && a.radius == b.radius && a.shape == b.shape;
+}
+
 }  // namespace
 
 void Raster::draw(std::span<const Splat> splats, std::span<const Index> nodes, const View& view,
@@ -20,20 +24,15 @@ void Raster::draw(std::span<const Splat> splats, std::span<const Index> nodes, c
   view_ = view;
   appearance_ = appearance;
   nodes_.assign(nodes.begin(), nodes.end());
-  if (projected_.size() < nodes.size()) {
-    projected_.resize(nodes.size() + nodes.size() / 4);
-    boxes_.resize(projected_.size());
+  if (splats_.size() < nodes.size()) {
+    splats_.resize(nodes.size() + nodes.size() / 4);
+    reach_.resize(splats_.size());
   }
   frame.resize(view.width, view.height);
   parallelFor(
-      nodes.size(), kGrain,
-      [&](std::size_t begin, std::size_t end) {
-        const std::size_t count = end - begin;
-        projectSplats(splats, nodes.subspan(begin, count), view, appearance,
-                      std::span(projected_).subspan(begin, count), std::span(boxes_).subspan(begin, count));
-      },
+      nodes.size(), kGrain, [&](std::size_t begin, std::size_t end) { takeSplats(splats, begin, end); },
       progress);
-  listTiles(std::span(boxes_).first(nodes.size()), view.width, view.height, Tile::kSize, lists_, progress);
+  listTiles(std::span(reach_).first(nodes.size()), view.width, view.height, Tile::kSize, lists_, progress);
   std::vector<std::uint32_t> tiles(static_cast<std::size_t>(lists_.columns) * lists_.rows);
   std::iota(tiles.begin(), tiles.end(), 0u);
   drawTiles(tiles, frame, progress);
@@ -47,10 +46,19 @@ void Raster::draw(std::span<const Splat> splats, std::span<const Index> nodes, c
       progress);
 }
 
+// Splats lie where the hierarchy has them, several levels apart: they are asked for before it is their turn.
+void Raster::takeSplats(std::span<const Splat> splats, std::size_t begin, std::size_t end) {
+  constexpr std::size_t kAhead = 16;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (i + kAhead < end) __builtin_prefetch(&splats[nodes_[i + kAhead]]);
+    splats_[i] = splats[nodes_[i]];
+  }
+  findReach(std::span(splats_).subspan(begin, end - begin), view_,
+            std::span(reach_).subspan(begin, end - begin));
+}
+
 void Raster::drawTiles(std::span<const std::uint32_t> tiles, FrameBuffers& frame, const Progress* progress) {
-  const TileOptions options = {.isPerspective = view_.isPerspective(),
-                               .blends = appearance_.mode == SplatMode::kSplats,
-                               .lit = appearance_.lit};
+  const DrawnSplats drawn{splats_, reach_, nodes_, view_, appearance_};
   parallelFor(
       tiles.size(), kTilesAtOnce,
       [&](std::size_t begin, std::size_t end) {
@@ -61,7 +69,7 @@ void Raster::drawTiles(std::span<const std::uint32_t> tiles, FrameBuffers& frame
           tile->y = rect.y0;
           tile->width = rect.x1 - rect.x0;
           tile->height = rect.y1 - rect.y0;
-          drawTile(*tile, projected_, boxes_, lists_.of(at), options, frame);
+          drawTile(*tile, drawn, lists_.of(at), frame);
         }
       },
       progress);
@@ -99,22 +107,13 @@ std::vector<std::uint32_t> Raster::findDrawn(std::span<const NodeRange> changed)
 bool Raster::redraw(std::span<const Splat> splats, std::span<const NodeRange> changed, FrameBuffers& frame) {
   if (frame.width != view_.width || frame.height != view_.height) return false;
   const std::vector<std::uint32_t> places = findDrawn(changed);
-  std::vector<ProjectedSplat> projected(places.size());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const std::uint32_t place = places[i];
-    PixelBox box;
-    projectSplats(splats, std::span(nodes_).subspan(place, 1), view_, appearance_,
-                  std::span(projected).subspan(i, 1), std::span(&box, 1));
-    const ProjectedSplat &now = projected[i], &before = projected_[place];
-    const bool isSame =
-        box == boxes_[place] && (box.isEmpty() || (now.z == before.z && now.nx == before.nx &&
-                                                   now.ny == before.ny && now.radius == before.radius));
-    if (!isSame) return false;
+  for (const std::uint32_t place : places) {
+    if (!hasSameShape(splats[nodes_[place]], splats_[place])) return false;
   }
   std::vector<std::uint8_t> isDirty(static_cast<std::size_t>(lists_.columns) * lists_.rows, 0);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    projected_[places[i]] = projected[i];
-    forTilesOf(boxes_[places[i]], Tile::kSize, lists_.columns, [&](int tile) { isDirty[tile] = 1; });
+  for (const std::uint32_t place : places) {
+    splats_[place].color = splats[nodes_[place]].color;
+    forTilesOf(reach_[place].box, Tile::kSize, lists_.columns, [&](int tile) { isDirty[tile] = 1; });
   }
   std::vector<std::uint32_t> tiles;
   for (std::uint32_t tile = 0; tile < isDirty.size(); ++tile) {

@@ -12,8 +12,8 @@
 
 namespace stipple {
 
-/// Draws splats on the processor: projects them, lists them by tile, draws tile by tile in the cache
-/// (visibility, attributes, light), then finishes with what needs neighbors. Parallel; same bits for any
+/// Draws splats on the processor: lists them by tile, draws tile by tile in the cache (projection,
+/// visibility, attributes, light), then finishes with what needs neighbors. Parallel; same bits for any
 /// number of threads.
 class Raster {
  public:
@@ -29,6 +29,7 @@ class Raster {
   std::span<const Index> nodes() const { return nodes_; }
 
  private:
+  void takeSplats(std::span<const Splat> splats, std::size_t begin, std::size_t end);
   void drawTiles(std::span<const std::uint32_t> tiles, FrameBuffers& frame, const Progress* progress);
   PixelRect rectOf(std::uint32_t tile, const FrameBuffers& frame) const;
   std::vector<std::uint32_t> findDrawn(std::span<const NodeRange> changed) const;
@@ -36,8 +37,8 @@ class Raster {
   std::vector<Index> nodes_;
   View view_;
   Appearance appearance_;
-  std::vector<ProjectedSplat> projected_;
-  std::vector<PixelBox> boxes_;
+  std::vector<Splat> splats_;  // of the nodes, as they were drawn
+  std::vector<SplatReach> reach_;
   TileLists lists_;
   Finisher finisher_;
 };

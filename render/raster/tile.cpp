@@ -129,11 +129,11 @@ HWY_INLINE void addAttributes(Tile& tile, const ProjectedSplat& s, const Part& p
 }
 
 // Normals of the visible splats, which decide what is blended with them.
-HWY_INLINE void gatherSeen(Tile& tile, std::span<const ProjectedSplat> splats) {
+HWY_INLINE void gatherSeen(Tile& tile) {
   for (int y = 0; y < tile.height; ++y) {
     for (int at = y * Tile::kStride; at < y * Tile::kStride + tile.width; ++at) {
       if (tile.splat[at] < 0) continue;
-      const ProjectedSplat& s = splats[tile.splat[at]];
+      const ProjectedSplat& s = tile.splats[tile.splat[at]];
       tile.seen[0][at] = s.nx;
       tile.seen[1][at] = s.ny;
       tile.seen[2][at] = s.nz;
@@ -142,11 +142,11 @@ HWY_INLINE void gatherSeen(Tile& tile, std::span<const ProjectedSplat> splats) {
 }
 
 // Without blending the visible splat is all there is.
-HWY_INLINE void takeVisible(Tile& tile, std::span<const ProjectedSplat> splats) {
+HWY_INLINE void takeVisible(Tile& tile) {
   for (int y = 0; y < tile.height; ++y) {
     for (int at = y * Tile::kStride; at < y * Tile::kStride + tile.width; ++at) {
       if (tile.splat[at] < 0) continue;
-      const ProjectedSplat& s = splats[tile.splat[at]];
+      const ProjectedSplat& s = tile.splats[tile.splat[at]];
       const float values[8] = {s.red, s.green, s.blue, s.nx, s.ny, s.nz, 1, tile.depth[at]};
       for (int k = 0; k < 8; ++k) tile.sums[k][at] = values[k];
     }
@@ -185,8 +185,7 @@ HWY_INLINE void shadeRow(const Tile& tile, int y, bool lit, FrameBuffers& frame)
   for (int x = 0; x < tile.width; ++x) out[x] = {rgb[0][x], rgb[1][x], rgb[2][x], rgb[3][x]};
 }
 
-HWY_INLINE void storeTile(const Tile& tile, std::span<const ProjectedSplat> splats, bool lit,
-                          FrameBuffers& frame) {
+HWY_INLINE void storeTile(const Tile& tile, const DrawnSplats& drawn, FrameBuffers& frame) {
   for (int y = 0; y < tile.height; ++y) {
     const std::size_t from = static_cast<std::size_t>(y) * Tile::kStride, to = frame.at(tile.x, tile.y + y);
     for (int x = 0; x < tile.width; ++x) {
@@ -194,9 +193,9 @@ HWY_INLINE void storeTile(const Tile& tile, std::span<const ProjectedSplat> spla
       // The mean depth is smooth where discs meet at an angle.
       frame.depth[to + x] =
           splat < 0 ? FrameBuffers::kEmpty : tile.sums[7][from + x] / tile.sums[6][from + x];
-      frame.nodes[to + x] = splat < 0 ? FrameBuffers::kNoNode : splats[splat].node;
+      frame.nodes[to + x] = splat < 0 ? FrameBuffers::kNoNode : drawn.nodes[tile.places[splat]];
     }
-    shadeRow(tile, y, lit, frame);
+    shadeRow(tile, y, drawn.appearance.lit, frame);
   }
 }
 
@@ -240,46 +239,55 @@ class Occluders {
   float farthest_[kCells][kCells];
 };
 
+// Projects the splats of a part of a list that nothing hides so far; they follow those that the tile has.
+HWY_INLINE void takeUnhidden(Tile& tile, const DrawnSplats& drawn, std::span<const std::uint32_t> list,
+                             const Occluders& occluders) {
+  for (const std::uint32_t place : list) {
+    const SplatReach& reach = drawn.reach[place];
+    if (occluders.hide(partOf(reach.box, tile), reach.nearest)) continue;
+    __builtin_prefetch(&drawn.splats[place]);
+    tile.places.push_back(place);
+  }
+  const std::size_t begin = tile.splats.size();
+  tile.splats.resize(tile.places.size());
+  projectSplats(drawn.splats, std::span(tile.places).subspan(begin), drawn.view, drawn.appearance,
+                std::span(tile.splats).subspan(begin));
+}
+
 template <bool kPerspective>
-HWY_INLINE void drawSplats(Tile& tile, std::span<const ProjectedSplat> splats,
-                           std::span<const PixelBox> boxes, std::span<const std::uint32_t> list,
-                           const TileOptions& options) {
+HWY_INLINE void drawSplats(Tile& tile, const DrawnSplats& drawn, std::span<const std::uint32_t> list) {
   // Lists run roughly from front to back: what is hidden by all that came before is soon passed over.
   constexpr std::size_t kBetweenLooks = 64;
   Occluders occluders;
-  constexpr std::size_t kAhead = 8;
-  for (std::size_t n = 0; n < list.size(); ++n) {
-    if (n % kBetweenLooks == 0 && n > 0) occluders.look(tile);
-    if (n + kAhead < list.size()) {
-      const ProjectedSplat& ahead = splats[list[n + kAhead]];
-      __builtin_prefetch(&ahead);
-      __builtin_prefetch(&ahead.z);
+  for (std::size_t begin = 0; begin < list.size(); begin += kBetweenLooks) {
+    if (begin > 0) occluders.look(tile);
+    std::size_t n = tile.splats.size();
+    takeUnhidden(tile, drawn, list.subspan(begin, std::min(kBetweenLooks, list.size() - begin)), occluders);
+    for (; n < tile.splats.size(); ++n) {
+      const ProjectedSplat& s = tile.splats[n];
+      findVisible<kPerspective>(tile, s, partOf(s.box, tile), static_cast<std::int32_t>(n));
     }
-    const ProjectedSplat& s = splats[list[n]];
-    const Part part = partOf(boxes[list[n]], tile);
-    if (occluders.hide(part, s.z - s.radius)) continue;
-    findVisible<kPerspective>(tile, s, part, static_cast<std::int32_t>(list[n]));
   }
-  if (!options.blends) return takeVisible(tile, splats);
-  gatherSeen(tile, splats);
+  if (drawn.appearance.mode != SplatMode::kSplats) return takeVisible(tile);
+  gatherSeen(tile);
   occluders.look(tile);
-  for (const std::uint32_t id : list) {
-    const ProjectedSplat& s = splats[id];
-    const Part part = partOf(boxes[id], tile);
+  for (std::size_t n = 0; n < tile.splats.size(); ++n) {
+    const ProjectedSplat& s = tile.splats[n];
+    const Part part = partOf(s.box, tile);
     if (occluders.hide(part, s.z - (1 + kernel::kDepthBand) * s.radius)) continue;
-    addAttributes<kPerspective>(tile, s, part, static_cast<std::int32_t>(id));
+    addAttributes<kPerspective>(tile, s, part, static_cast<std::int32_t>(n));
   }
 }
 
-void drawOne(Tile& tile, std::span<const ProjectedSplat> splats, std::span<const PixelBox> boxes,
-             std::span<const std::uint32_t> list, const TileOptions& options, FrameBuffers& frame) {
+void drawOne(Tile& tile, const DrawnSplats& drawn, std::span<const std::uint32_t> list, FrameBuffers& frame) {
   tile.depth.fill(FrameBuffers::kEmpty);
   tile.splat.fill(-1);
+  tile.splats.clear();
+  tile.places.clear();
   if (!list.empty()) {
     for (Tile::Plane& plane : tile.sums) plane.fill(0);
-    options.isPerspective ? drawSplats<true>(tile, splats, boxes, list, options)
-                          : drawSplats<false>(tile, splats, boxes, list, options);
-    return storeTile(tile, splats, options.lit, frame);
+    drawn.view.isPerspective() ? drawSplats<true>(tile, drawn, list) : drawSplats<false>(tile, drawn, list);
+    return storeTile(tile, drawn, frame);
   }
   for (int y = 0; y < tile.height; ++y) {
     const std::size_t to = frame.at(tile.x, tile.y + y);
@@ -302,9 +310,9 @@ namespace stipple {
 HWY_EXPORT(drawOne);
 HWY_EXPORT(nameOfTarget);
 
-void drawTile(Tile& tile, std::span<const ProjectedSplat> splats, std::span<const PixelBox> boxes,
-              std::span<const std::uint32_t> list, const TileOptions& options, FrameBuffers& frame) {
-  HWY_DYNAMIC_DISPATCH(drawOne)(tile, splats, boxes, list, options, frame);
+void drawTile(Tile& tile, const DrawnSplats& drawn, std::span<const std::uint32_t> list,
+              FrameBuffers& frame) {
+  HWY_DYNAMIC_DISPATCH(drawOne)(tile, drawn, list, frame);
 }
 
 const char* rasterInstructionSet() {

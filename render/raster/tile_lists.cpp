@@ -14,20 +14,20 @@ constexpr std::size_t kLeastBlock = 1 << 14, kMostBlocks = 64;
 
 }  // namespace
 
-void listTiles(std::span<const PixelBox> boxes, int width, int height, int size, TileLists& lists,
+void listTiles(std::span<const SplatReach> reach, int width, int height, int size, TileLists& lists,
                const Progress* progress) {
   lists.columns = (width + size - 1) / size;
   lists.rows = (height + size - 1) / size;
   const std::size_t tiles = static_cast<std::size_t>(lists.columns) * lists.rows;
-  const std::size_t blocks = std::clamp<std::size_t>(boxes.size() / kLeastBlock, 1, kMostBlocks);
-  const std::size_t block = std::max<std::size_t>((boxes.size() + blocks - 1) / blocks, 1);
+  const std::size_t blocks = std::clamp<std::size_t>(reach.size() / kLeastBlock, 1, kMostBlocks);
+  const std::size_t block = std::max<std::size_t>((reach.size() + blocks - 1) / blocks, 1);
   std::vector<std::uint32_t> counts(blocks * tiles, 0);
   parallelFor(
-      boxes.size(), block,
+      reach.size(), block,
       [&](std::size_t begin, std::size_t end) {
         std::uint32_t* count = counts.data() + begin / block * tiles;
         for (std::size_t i = begin; i < end; ++i) {
-          forTilesOf(boxes[i], size, lists.columns, [&](int tile) { ++count[tile]; });
+          forTilesOf(reach[i].box, size, lists.columns, [&](int tile) { ++count[tile]; });
         }
       },
       progress);
@@ -40,11 +40,11 @@ void listTiles(std::span<const PixelBox> boxes, int width, int height, int size,
   lists.offsets[tiles] = sum;
   if (lists.splats.size() < sum) lists.splats.resize(sum + sum / 4);
   parallelFor(
-      boxes.size(), block,
+      reach.size(), block,
       [&](std::size_t begin, std::size_t end) {
         std::uint32_t* place = counts.data() + begin / block * tiles;
         for (std::size_t i = begin; i < end; ++i) {
-          forTilesOf(boxes[i], size, lists.columns,
+          forTilesOf(reach[i].box, size, lists.columns,
                      [&](int tile) { lists.splats[place[tile]++] = static_cast<std::uint32_t>(i); });
         }
       },

@@ -28,8 +28,8 @@ void forTilesOf(const PixelBox& box, int size, int columns, const Body& body) {
   }
 }
 
-/// Counting sort of the boxes by tiles of `size` pixels; `lists` keeps its memory from frame to frame.
-void listTiles(std::span<const PixelBox> boxes, int width, int height, int size, TileLists& lists,
+/// Counting sort of the splats by tiles of `size` pixels; `lists` keeps its memory from frame to frame.
+void listTiles(std::span<const SplatReach> reach, int width, int height, int size, TileLists& lists,
                const Progress* progress);
 
 }  // namespace stipple

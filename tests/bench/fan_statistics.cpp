@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/geometry/consensus.h"
+#include "core/geometry/fan_votes.h"
 #include "core/io/point_io.h"
 #include "tests/support/shapes.h"
 

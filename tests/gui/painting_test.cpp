@@ -1,7 +1,10 @@
+#include <QApplication>
 #include <QListWidget>
 #include <QPushButton>
+#include <optional>
 #include <set>
 
+#include "render/appearance/colormap.h"
 #include "tests/gui/window_test.h"
 #include "tests/support/identical.h"
 
@@ -25,6 +28,28 @@ class Painting : public WindowTest {
   }
 
   std::vector<QPoint> stroke() { return {center() + QPoint(-60, 20), center() + QPoint(60, -20)}; }
+
+  // Where the panel in the left half of the view offers a label.
+  std::optional<QPoint> swatchOf(int label) {
+    const QImage image = view().viewport().widget().grab().toImage();
+    const Rgba8 color = labelColor(label);
+    const QRgb wanted = qRgb(color.r, color.g, color.b);
+    for (int y = 0; y + 6 < image.height(); ++y) {
+      for (int x = 0; x + 6 < image.width() / 2; ++x) {
+        if (image.pixel(x, y) == wanted && image.pixel(x + 5, y + 5) == wanted) return QPoint(x + 3, y + 3);
+      }
+    }
+    return {};
+  }
+
+  // Before the window has drawn anything.
+  void sendAtOnce(QEvent::Type type, const QPoint& at) {
+    const bool isMove = type == QEvent::MouseMove, isRelease = type == QEvent::MouseButtonRelease;
+    QWidget& widget = view().viewport().widget();
+    QMouseEvent event(type, at, widget.mapToGlobal(at), isMove ? Qt::NoButton : Qt::LeftButton,
+                      isRelease ? Qt::NoButton : Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&widget, &event);
+  }
 
   float distanceTo(Index row, const std::vector<QPoint>& path) {
     const glm::vec2 p = pixelOf(row), a(path[0].x(), path[0].y()), b(path[1].x(), path[1].y());
@@ -59,6 +84,20 @@ TEST_F(Painting, LaysSeedsUnderTheMouseAndNowhereElse) {
   EXPECT_EQ(history().count(), 2);
   EXPECT_TRUE(scan().document.isModified());
   EXPECT_TRUE(window().isWindowModified());
+}
+
+TEST_F(Painting, ALabelThatWasClickedIsPaintedThoughNoPictureCameBetween) {
+  takeSeedBrush();
+  std::optional<QPoint> second;
+  waitFor("the label", [&] { return (second = swatchOf(2)).has_value(); });
+  sendAtOnce(QEvent::MouseButtonPress, *second);
+  sendAtOnce(QEvent::MouseButtonRelease, *second);
+  sendAtOnce(QEvent::MouseButtonPress, stroke()[0]);
+  sendAtOnce(QEvent::MouseMove, stroke()[1]);
+  sendAtOnce(QEvent::MouseButtonRelease, stroke()[1]);
+  ASSERT_TRUE(points().has("seeds"));
+  const auto seeds = points().values<std::int32_t>("seeds");
+  EXPECT_EQ(std::set<int>(seeds.begin(), seeds.end()), (std::set<int>{0, 2}));
 }
 
 TEST_F(Painting, IsSeenAtOnce) {

@@ -50,6 +50,25 @@ TEST_F(Process, ClassifierRunsToItsEnd) {
   EXPECT_TRUE(identical(points(), before));
 }
 
+TEST_F(Process, TriangulationShowsItsTriangles) {
+  openSphere();
+  QAction* mesh = window().commands().action("mesh");
+  EXPECT_FALSE(mesh->isEnabled());
+  chooseOperator("triangulation");
+  pressRun();
+  waitUntilIdle();
+  // A closed surface: V - E + F = 2 and 3 F = 2 E.
+  EXPECT_EQ(points().triangles().size(), 2u * points().size() - 4);
+  EXPECT_TRUE(mesh->isEnabled() && mesh->isChecked());
+  EXPECT_TRUE(waitFor(
+      "triangles, not splats", [this] { return view().viewport().notes()->splats == 0; }, 5000));
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(points().triangles().empty());
+  EXPECT_FALSE(mesh->isEnabled());
+  EXPECT_TRUE(waitFor(
+      "splats again", [this] { return view().viewport().notes()->splats > 0; }, 5000));
+}
+
 TEST_F(Process, SegmentationGrowsFromPaintedSeeds) {
   openSphere();
   chooseOperator("segmentation");

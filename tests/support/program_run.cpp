@@ -1,6 +1,7 @@
 #include "tests/support/program_run.h"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -58,10 +59,12 @@ ProgramRun runProgram(const fs::path& program, const std::vector<std::string>& a
     kill(child, SIGINT);
   }
   int status = 0;
-  waitpid(child, &status, 0);
+  rusage usage{};
+  wait4(child, &status, 0, &usage);
   ProgramRun run{.out = options.outputPath.empty() ? readAll(out) : "",
                  .err = readAll(err),
-                 .exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1};
+                 .exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+                 .peakBytes = static_cast<std::size_t>(usage.ru_maxrss) * 1024};
   fs::remove(ownOut);
   fs::remove(err);
   return run;

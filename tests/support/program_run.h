@@ -8,6 +8,7 @@
 struct ProgramRun {
   std::string out, err;
   int exitCode = -1;  ///< -1 where a signal ended it
+  std::size_t peakBytes = 0;
 };
 
 struct ProgramOptions {

@@ -85,6 +85,7 @@ TEST(Recipe, RefusesWhatIsNotARecipe) {
       {withStroke(R"("tool":"paint","attribute":"a","value":1,"radius":1,"dabs":[[0,0,0]])"),
        "dabs[0] is not [x,y,z,pressure]"},
       {withStroke(R"("tool":"paint","attribute":"a","value":1,"radius":1,"dabs":[[0,0,0,2]])"), "pressure 2"},
+      {withStroke(R"("tool":"paint","attribute":"a","value":1,"radius":1,"dabs":[[0,0,0,1,0]])"), "size 0"},
   };
   for (const auto& [text, message] : cases) {
     EXPECT_THAT(parsing(text), ThrowsMessage<InvalidInput>(HasSubstr(message))) << text;
@@ -105,6 +106,18 @@ TEST(Recipe, StrokesMaySmoothAndStayWithinAnAttribute) {
   points.set("mask", std::vector<std::int32_t>{0, 1, 0, 1});
   const PointSet played = play(recipe, registry, points, progress).points;
   EXPECT_THAT(played.values<float>("height"), ElementsAre(0, 0, 0, 0));
+}
+
+TEST(Recipe, DabsMayHaveASize) {
+  const Registry registry = testOperators();
+  const std::string text = withStroke(
+      R"("tool":"paint","attribute":"a","value":1,"radius":1,"dabs":[[0,0,0,1],[1,0,0,0.5,0.25]])");
+  const Recipe recipe = parseRecipe(text, registry);
+  const Stroke& stroke = std::get<Stroke>(recipe.steps.at(0));
+  EXPECT_EQ(stroke.dabs.at(0).size, 1);
+  EXPECT_EQ(stroke.dabs.at(1).size, 0.25);
+  const Recipe again = parseRecipe(formatRecipe(recipe), registry);
+  EXPECT_EQ(std::get<Stroke>(again.steps.at(0)).dabs.at(1).size, 0.25);
 }
 
 TEST(Recipe, UnknownOperatorsAndValuesOutOfRangeAreUsageErrors) {

@@ -59,6 +59,20 @@ TEST(Stroke, StrengthAndPressureScaleWhatADabLaysDown) {
   EXPECT_EQ(apply(points, stroke).values<float>("height")[2], 0);
 }
 
+TEST(Stroke, SizeScalesTheRadius) {
+  Stroke stroke = paint("seeds", {7});
+  stroke.dabs[0].size = 0.5;
+  EXPECT_THAT(apply(line(), stroke).values<std::int32_t>("seeds"), ElementsAre(0, 0, 7, 0, 0, 7));
+}
+
+TEST(Stroke, ADabFartherFromTheSurfaceThanItsRadiusTouchesNothing) {
+  Stroke stroke = paint("seeds", {7});
+  stroke.dabs = {{.position = {1002, 1.4, 0}}};
+  EXPECT_THAT(apply(line(), stroke).values<std::int32_t>("seeds"), ElementsAre(0, 7, 7, 7, 0, 7));
+  stroke.dabs = {{.position = {1002, 1.6, 0}}};
+  EXPECT_THAT(apply(line(), stroke).values<std::int32_t>("seeds"), ElementsAre(0, 0, 0, 0, 0, 0));
+}
+
 TEST(Stroke, ColorsBlendAndVectorsToo) {
   PointSet points = line();
   points.set("color", std::vector<Rgba8>(6, Rgba8{0, 0, 0, 255}));

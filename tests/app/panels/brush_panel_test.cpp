@@ -79,7 +79,10 @@ TEST(BrushPanel, TurnsSymmetryLimitsAndUnit) {
     }));
     EXPECT_TRUE(bench.canClick([](const BrushActions& a) { return a.onlyVisible == false; }));
     EXPECT_TRUE(bench.canClick([](const BrushActions& a) { return a.onlySelection == false; }));
-    EXPECT_TRUE(bench.canClick([](const BrushActions& a) { return a.radiusUnit == PanelRadiusUnit::kPixels; }));
+    EXPECT_TRUE(bench.canClick([](const BrushActions& a) { return a.pressure == PanelPressure::kStrength; }));
+    EXPECT_TRUE(bench.canClick([](const BrushActions& a) { return a.pressure == PanelPressure::kNone; }));
+    EXPECT_TRUE(
+        bench.canClick([](const BrushActions& a) { return a.radiusUnit == PanelRadiusUnit::kPixels; }));
   }
 }
 
@@ -144,7 +147,7 @@ TEST(BrushPanel, IsQuietWithoutInput) {
   for (const BrushActions& actions : bench.seen) {
     EXPECT_FALSE(actions.tool || actions.attribute || actions.label || actions.addLabel || actions.radius ||
                  actions.strength || actions.spacing || actions.radiusUnit || actions.symmetry ||
-                 actions.onlyVisible || actions.onlySelection);
+                 actions.onlyVisible || actions.onlySelection || actions.pressure);
   }
 }
 

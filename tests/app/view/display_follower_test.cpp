@@ -111,6 +111,20 @@ TEST_F(DisplayFollowing, MovedPointsMoveTheirNodes) {
   expectShownAsIs({});
 }
 
+TEST_F(DisplayFollowing, OtherTrianglesAreShownWhereTrianglesAre) {
+  PointSet after = document.points();
+  after.setTriangles({{0, 1, 2}});
+  for (const bool asMesh : {false, true}) {
+    begin({.asMesh = asMesh});
+    seen = document.revision();
+    document.commit("triangulate", difference(document.points(), after));
+    const auto change = follower.follow(document.points(), document.changedSince(seen));
+    EXPECT_EQ(change.has_value(), asMesh);
+    if (change) EXPECT_EQ(std::get<Restate>(*change).points.triangles().size(), 1u);
+    document.undo();
+  }
+}
+
 TEST_F(DisplayFollowing, RemovedPointsAreANewSurface) {
   begin({});
   PointSet after = document.points();

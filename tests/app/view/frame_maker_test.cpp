@@ -105,8 +105,7 @@ TEST_F(MakingFrames, ABetterHierarchyKeepsTheColorsOfNow) {
   auto waiting = maker.takeUnrefined();
   ASSERT_TRUE(waiting);
   EXPECT_FALSE(maker.takeUnrefined()) << "once a surface";
-  Hierarchy refined =
-      refineHierarchy(waiting->points, waiting->colors.of(waiting->points), std::size_t{1} << 30, nullptr);
+  Hierarchy refined = refineHierarchy(waiting->points, waiting->colors.of(waiting->points), nullptr);
   Recolor change{.rows = {3}, .colors = {{1, 2, 3, 0}}};
   maker.apply(change, 2, nullptr);
   maker.apply(Refined{.surface = 1, .hierarchy = std::move(refined)}, 0, nullptr);
@@ -119,9 +118,30 @@ TEST_F(MakingFrames, ABetterHierarchyKeepsTheColorsOfNow) {
   }
 }
 
+TEST_F(MakingFrames, ASurfaceTooLargeForASecondHierarchyIsBetteredInPlace) {
+  maker.refinementBudget = 0;
+  maker.apply(surfaceOf(points), 1, nullptr);
+  maker.setView(viewAt(0));
+  settle(maker);
+  EXPECT_FALSE(maker.takeUnrefined());
+  const Hierarchy& shown = maker.surface().hierarchy();
+  EXPECT_TRUE(shown.isClosedAndOriented);
+  EXPECT_TRUE(maker.frame().isConverged);
+  const Rgba8 painted{250, 20, 20, 0};
+  maker.apply(Recolor{.rows = {3}, .colors = {painted}}, 2, nullptr);
+  EXPECT_EQ(shown.splats()[shown.slotOfPoint[3]].color, painted);
+  settle(maker);
+  // Moved points are asked anew.
+  maker.apply(Restate{.surface = 2, .points = points, .colors = PointColors(points, {}), .moved = true}, 3,
+              nullptr);
+  EXPECT_FALSE(shown.isClosedAndOriented);
+  settle(maker);
+  EXPECT_TRUE(shown.isClosedAndOriented);
+}
+
 TEST_F(MakingFrames, AHierarchyOfAnotherSurfaceIsDropped) {
   maker.apply(surfaceOf(points, 1), 1, nullptr);
-  Hierarchy refined = refineHierarchy(points, {}, std::size_t{1} << 30, nullptr);
+  Hierarchy refined = refineHierarchy(points, {}, nullptr);
   const PointSet others = shownSphere(points.size(), 9);
   maker.apply(surfaceOf(others, 2), 2, nullptr);
   const Splat before = maker.surface().hierarchy().splats()[0];

@@ -1,5 +1,7 @@
 #include "core/geometry/consensus.h"
 
+#include "core/geometry/fan_votes.h"
+
 #include <gtest/gtest.h>
 
 #include <map>

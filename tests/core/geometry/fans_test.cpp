@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <numeric>
 
-#include "core/geometry/consensus.h"
+#include "core/geometry/fan_votes.h"
 #include "core/io/point_io.h"
 #include "tests/support/delaunay_referee.h"
 #include "tests/support/shapes.h"

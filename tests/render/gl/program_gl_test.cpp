@@ -5,6 +5,7 @@
 
 #include "render/gl/shader_source.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/temporary_folder.h"
 
 namespace stipple {
 namespace {
@@ -13,14 +14,6 @@ namespace fs = std::filesystem;
 
 class ProgramTest : public GlTest {
  protected:
-  void SetUp() override {
-    fs::create_directories(folder_);
-    GlTest::SetUp();
-  }
-  void TearDown() override {
-    fs::remove_all(folder_);
-    GlTest::TearDown();
-  }
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name) << text;
   }
@@ -36,7 +29,8 @@ class ProgramTest : public GlTest {
     return what;
   }
 
-  fs::path folder_ = fs::path(::testing::TempDir()) / "stipple_program_gl_test";
+  TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path();
 };
 
 constexpr const char* kVertex = "#version 450 core\nvoid main() { gl_Position = vec4(0); }\n";

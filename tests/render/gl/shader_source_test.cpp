@@ -19,7 +19,8 @@ class ShaderSourceTest : public ::testing::Test {
     std::ofstream(folder_ / name) << text;
   }
 
-  fs::path folder_ = fs::path(::testing::TempDir()) / "stipple_shader_source_test";
+  fs::path folder_ =
+      fs::path(::testing::TempDir()) / ("stipple_shader_source_test_" + std::to_string(getpid()));
 };
 
 TEST_F(ShaderSourceTest, PutsEachIncludeInPlaceOnce) {

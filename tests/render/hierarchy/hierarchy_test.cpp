@@ -11,6 +11,7 @@
 #include "render/appearance/light.h"
 #include "render/hierarchy/build.h"
 #include "render/hierarchy/refit.h"
+#include "render/hierarchy/sort_leaves.h"
 #include "tests/support/sampled_hierarchy.h"
 
 namespace stipple {
@@ -177,15 +178,18 @@ TEST(Hierarchy, LeavesAreThePoints) {
   }
 }
 
+// Mean over a level of what holds its nodes' leaves.
+double meanBound(const Hierarchy& h, int level) {
+  double sum = 0;
+  for (Index i = 0; i < h.levelSize(level); ++i) sum += h.boundingRadius(h.levelBegin(level) + i);
+  return sum / h.levelSize(level);
+}
+
 TEST(Hierarchy, KdNodesOfASurfaceDoubleFromLevelToLevel) {
   const Hierarchy h = sampledHierarchy(scenes::rippledTorus(), 1 << 16);
-  const auto meanBound = [&h](int level) {
-    double sum = 0;
-    for (Index i = 0; i < h.levelSize(level); ++i) sum += h.boundingRadius(h.levelBegin(level) + i);
-    return sum / h.levelSize(level);
-  };
   // Four times the area is twice the size; a poor order grows faster.
-  for (int level = 2; level < 7; ++level) EXPECT_LT(meanBound(level), 2.1 * meanBound(level - 1)) << level;
+  for (int level = 2; level < 7; ++level)
+    EXPECT_LT(meanBound(h, level), 2.1 * meanBound(h, level - 1)) << level;
 }
 
 // Moves, colors and turns random leaves.
@@ -235,6 +239,53 @@ TEST(Hierarchy, RefitAfterEditsIsTheWholeAggregationBitForBit) {
     }
   }
   EXPECT_TRUE(refit(edited, {}).empty());
+}
+
+// A block of the Morton order may have two parts that are far from each other, and one node over both of them
+// a level: these make the means of high levels larger, where a block has few nodes.
+TEST(Hierarchy, BlocksSortedInPlaceHaveNodesNearlyAsSmallAsTheKdOrder) {
+  constexpr Index kCount = 3 * kSortedLeaves + 12'345;
+  const Hierarchy kd = sampledHierarchy(scenes::rippledTorus(), kCount);
+  const Hierarchy morton = sampledHierarchy(scenes::rippledTorus(), kCount, 1, LeafOrder::kMorton);
+  Hierarchy sorted = sampledHierarchy(scenes::rippledTorus(), kCount, 1, LeafOrder::kMorton);
+  for (Index block = 0; block * kSortedLeaves < kCount; ++block) sortLeaves(sorted, block, {});
+  for (int level = 1; level < kSortedLevels; ++level) {
+    EXPECT_LT(meanBound(sorted, level), (1.08 + 0.08 * level) * meanBound(kd, level)) << level;
+    EXPECT_LT(meanBound(sorted, level), 0.9 * meanBound(morton, level)) << level;
+  }
+}
+
+TEST(Hierarchy, BlocksSortedInPlaceKeepTheirPointsAndAreAggregatedAnew) {
+  constexpr Index kCount = 2 * kSortedLeaves + 4321;
+  for (const bool fitsNormals : {false, true}) {
+    const Hierarchy before = sampledHierarchy(scenes::carvedCube(), kCount, 3, LeafOrder::kMorton);
+    Hierarchy h = sampledHierarchy(scenes::carvedCube(), kCount, 3, LeafOrder::kMorton);
+    for (const Index block : {2u, 0u}) {
+      const std::vector<Splat> last(h.splats().begin(), h.splats().end());
+      std::vector<std::uint8_t> isListed(h.nodeCount(), 0);
+      for (const NodeRange& range : sortLeaves(h, block, {.fitsNormals = fitsNormals}))
+        std::fill(isListed.begin() + range.begin, isListed.begin() + range.end, 1);
+      for (Index node = 0; node < h.nodeCount(); ++node) {
+        const Splat &a = last[node], &b = h.splats()[node];
+        if (a.center() != b.center() || a.shape != b.shape || a.color != b.color) {
+          ASSERT_TRUE(isListed[node]) << node;
+        }
+      }
+    }
+    expectPermutation(h);
+    expectInvariants(h);
+    for (Index point = 0; point < kCount; ++point) {
+      const Splat &a = before.splats()[before.slotOfPoint[point]], &b = h.splats()[h.slotOfPoint[point]];
+      ASSERT_EQ(a.center(), b.center());
+      ASSERT_EQ(a.color, b.color);
+      if (!fitsNormals) {
+        ASSERT_EQ(a.shape, b.shape);
+      }
+    }
+    Hierarchy fresh = h;
+    refitAll(fresh);
+    EXPECT_TRUE(sameNodes(h, fresh));
+  }
 }
 
 TEST(Hierarchy, IsTheSameForAnyNumberOfThreads) {
