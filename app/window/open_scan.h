@@ -6,6 +6,7 @@
 
 #include "app/document/document.h"
 #include "app/document/surface_distance.h"
+#include "app/tools/graph_selection.h"
 #include "app/tools/orbit_camera.h"
 #include "app/view/display_follower.h"
 #include "app/view/displayed_surface.h"
@@ -30,8 +31,12 @@ struct OpenScan {
   /// Of the positions of that column; made when a tool first needs it.
   std::shared_ptr<const SurfaceDistance> distance;
   ColumnId distanceOf = 0;
+  /// The same for what grows and shrinks selections.
+  std::shared_ptr<const NeighborGraph> neighbors;
+  ColumnId neighborsOf = 0;
 
   bool hasDistance() const { return distance && distanceOf == document.points().positionColumn().id(); }
+  bool hasNeighbors() const { return neighbors && neighborsOf == document.points().positionColumn().id(); }
 };
 
 }  // namespace stipple

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/tools/graph_selection.h"
 #include "app/tools/view_selection.h"
 #include "app/window/pointer_input.h"
 #include "app/window/workbench.h"
@@ -317,9 +316,9 @@ void ViewController::changeSelection(SelectionChange change) {
     case SelectionChange::kInvert:
       return commit("Invert selection", invert(selectionOf(points)));
     case SelectionChange::kGrow:
-      return commit("Grow selection", grow(buildNeighborGraph(points), selectionOf(points)));
+      return workbench_.widenSelection(Workbench::Widening::kGrow);
     case SelectionChange::kShrink:
-      return commit("Shrink selection", shrink(buildNeighborGraph(points), selectionOf(points)));
+      return workbench_.widenSelection(Workbench::Widening::kShrink);
   }
 }
 

@@ -32,6 +32,13 @@ struct Workbench::Preparing {
   Task<std::shared_ptr<const SurfaceDistance>> task;
 };
 
+struct Workbench::Linking {
+  OpenScan* scan;
+  ColumnId positions;
+  std::vector<Widening> wanted;  ///< as soon as the neighbors are known, in this order
+  Task<std::shared_ptr<const NeighborGraph>> task;
+};
+
 struct Workbench::Playing {
   OpenScan* scan;
   std::uint64_t revision;

@@ -48,6 +48,7 @@ Workbench::~Workbench() {
   recovering_.reset();
   saving_.reset();
   preparing_.reset();
+  linking_.reset();
   playing_.reset();
   job_.reset();
   threads_.waitForAll(std::chrono::seconds(3));
@@ -70,7 +71,8 @@ void Workbench::say(const QString& sentence, const QString& details) {
 }
 
 void Workbench::keepTicking() {
-  const bool isBusy = !openings_.empty() || recovering_ || saving_ || preparing_ || playing_ || job_;
+  const bool isBusy =
+      !openings_.empty() || recovering_ || saving_ || preparing_ || linking_ || playing_ || job_;
   if (isBusy && !timer_.isActive()) timer_.start();
   if (!isBusy) timer_.stop();
 }
@@ -115,7 +117,8 @@ void Workbench::showScan(std::unique_ptr<OpenScan> scan) {
 
 bool Workbench::isBusyWith(const OpenScan& scan) const {
   return (job_ && job_->scan == &scan) || (saving_ && saving_->scan == &scan) ||
-         (playing_ && playing_->scan == &scan) || (preparing_ && preparing_->scan == &scan);
+         (playing_ && playing_->scan == &scan) || (preparing_ && preparing_->scan == &scan) ||
+         (linking_ && linking_->scan == &scan);
 }
 
 void Workbench::keepJournal(OpenScan& scan) {
@@ -189,6 +192,7 @@ void Workbench::close(int index) {
   if (playing_ && playing_->scan == scan) playing_.reset();
   if (saving_ && saving_->scan == scan) finishSaving();
   if (preparing_ && preparing_->scan == scan) preparing_.reset();
+  if (linking_ && linking_->scan == scan) linking_.reset();
   const std::unique_ptr<OpenScan> held = std::move(scans_[static_cast<std::size_t>(index)]);
   scans_.erase(scans_.begin() + index);
   current_ = std::min(current_, static_cast<int>(scans_.size()) - 1);
@@ -382,6 +386,7 @@ std::optional<TaskStatus> Workbench::task() const {
   if (recovering_) return named(recovering_->task.status(), "bringing the work back");
   if (saving_) return named(saving_->task.status(), "saving " + saving_->path.filename().string());
   if (playing_) return playing_->task.status();
+  if (linking_) return named(linking_->task.status(), "finding what is next to the selection");
   if (preparing_) return named(preparing_->task.status(), "preparing the brush");
   return {};
 }
@@ -395,6 +400,8 @@ void Workbench::cancelTask() {
     saving_->task.cancel();
   else if (playing_)
     playing_->task.cancel();
+  else if (linking_)
+    linking_->task.cancel();
   else if (preparing_)
     preparing_->task.cancel();
 }
@@ -404,6 +411,7 @@ void Workbench::tick() {
   followRecovering();
   followSaving();
   followPreparing();
+  followLinking();
   followPlaying();
   followJob();
   keepTicking();

@@ -65,6 +65,10 @@ class Workbench final : public QObject {
   void goTo(std::size_t position);
   void flipNormals();
   void deleteSelection();
+  enum class Widening { kGrow, kShrink };
+  /// By the points next to its rim. Neighbors are found on a worker when they are first needed; what is
+  /// wanted meanwhile follows in its order.
+  void widenSelection(Widening widening);
   /// Plays on a worker; one entry of the history for each step.
   void play(const Recipe& recipe);
   /// After strokes and other changes made on the document itself; while a stroke goes on only what shows the
@@ -121,6 +125,7 @@ class Workbench final : public QObject {
   struct Recovering;
   struct Saving;
   struct Preparing;
+  struct Linking;
   struct Playing;
   struct RunningJob;
 
@@ -129,6 +134,7 @@ class Workbench final : public QObject {
   void followRecovering();
   void followSaving();
   void followPreparing();
+  void followLinking();
   void followPlaying();
   void followJob();
   void finishJob();
@@ -156,6 +162,7 @@ class Workbench final : public QObject {
   std::unique_ptr<Recovering> recovering_;
   std::unique_ptr<Saving> saving_;
   std::unique_ptr<Preparing> preparing_;
+  std::unique_ptr<Linking> linking_;
   std::unique_ptr<Playing> playing_;
   std::unique_ptr<RunningJob> job_;
   QTimer timer_;

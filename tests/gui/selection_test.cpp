@@ -2,6 +2,7 @@
 #include <QTest>
 #include <QTreeWidget>
 
+#include "app/tools/graph_selection.h"
 #include "app/tools/selection.h"
 #include "app/window/histogram.h"
 #include "tests/gui/window_test.h"
@@ -131,10 +132,40 @@ TEST_F(SelectionByHand, GrowAndShrinkByKeys) {
   dragRectangle(middleBox());
   const Index inside = count();
   choose("select_grow");
+  waitUntilIdle();
   const Index grown = count();
   EXPECT_GT(grown, inside);
   choose("select_shrink");
+  waitUntilIdle();
   EXPECT_LT(count(), grown);
+}
+
+// What is wanted while neighbors are found follows in its order; each is one step of the history.
+TEST_F(SelectionByHand, GrowsAsOftenAsItWasWantedMeanwhile) {
+  dragRectangle(middleBox());
+  const NeighborGraph graph = buildNeighborGraph(points());
+  const SelectionMask wanted = shrink(graph, grow(graph, grow(graph, selected())));
+  const std::size_t before = scan().document.history().size();
+  for (const char* command : {"select_grow", "select_grow", "select_shrink"}) choose(command);
+  waitUntilIdle();
+  EXPECT_EQ(selected(), wanted);
+  EXPECT_EQ(scan().document.history().size(), before + 3);
+}
+
+TEST_F(SelectionByHand, GrowingGoesOnBesideTheWindowAndCanBeCancelled) {
+  openSphere(400000);
+  key(Qt::Key_A, Qt::ControlModifier);
+  dragRectangle(middleBox());
+  const SelectionMask before = selected();
+  workbench().widenSelection(Workbench::Widening::kGrow);
+  ASSERT_TRUE(workbench().task()) << "nothing is computed before the command returns";
+  workbench().cancelTask();
+  waitUntilIdle();
+  EXPECT_EQ(selected(), before);
+  EXPECT_THAT(said_, testing::IsEmpty());
+  choose("select_grow");
+  waitUntilIdle();
+  EXPECT_GT(count(), countSelected(before));
 }
 
 TEST_F(SelectionByHand, ByValueInTheHistogram) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <numeric>
 
+#include "core/geometry/site_sets.h"
 #include "core/geometry/sites.h"
 
 namespace stipple {
@@ -11,11 +12,6 @@ namespace stipple {
 namespace shapes {
 
 namespace {
-
-Index findRoot(std::vector<Index>& parents, Index i) {
-  while (parents[i] != i) i = parents[i] = parents[parents[i]];
-  return i;
-}
 
 struct FaceMesh {
   std::vector<std::array<Eigen::Vector3d, 3>> corners;
@@ -42,19 +38,17 @@ FaceMesh splitAtCreases(const PointSet& mesh, double crease) {
     result.normals.push_back(cross.normalized());
     result.areas.push_back(0.5 * cross.norm());
   }
-  std::vector<Index> parents(result.areas.size());
-  std::iota(parents.begin(), parents.end(), 0u);
+  const auto count = static_cast<Index>(result.areas.size());
+  SiteSets smooth(count);
   for (const auto& [edge, triangles] : trianglesOfEdge) {
     if (triangles.size() != 2) continue;
     const double cosine = result.normals[triangles[0]].dot(result.normals[triangles[1]]);
-    if (std::acos(std::clamp(cosine, -1.0, 1.0)) < crease) {
-      parents[findRoot(parents, triangles[0])] = findRoot(parents, triangles[1]);
-    }
+    if (std::acos(std::clamp(cosine, -1.0, 1.0)) < crease) smooth.join(triangles[0], triangles[1]);
   }
   std::map<Index, int> numbers;
-  for (Index t = 0; t < parents.size(); ++t) {
+  for (Index t = 0; t < count; ++t) {
     result.faces.push_back(
-        numbers.try_emplace(findRoot(parents, t), static_cast<int>(numbers.size())).first->second);
+        numbers.try_emplace(smooth.rootOf(t), static_cast<int>(numbers.size())).first->second);
   }
   return result;
 }

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
 
 #include "core/geometry/neighborhoods.h"
+#include "core/geometry/site_sets.h"
 
 namespace stipple {
 
@@ -15,11 +15,6 @@ namespace {
 float quantile(std::vector<float> values, double share) {
   std::sort(values.begin(), values.end());
   return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
-}
-
-Index findRoot(std::vector<Index>& parents, Index i) {
-  while (parents[i] != i) i = parents[i] = parents[parents[i]];
-  return i;
 }
 
 }  // namespace
@@ -52,17 +47,16 @@ int countSpots(const PointSet& points, std::span<const float> values, bool isHig
   const float middle = 0.5f * (quantile(field, 0.02) + quantile(field, 0.98));
   const auto isInside = [&](Index i) { return isHigh ? field[i] > middle : field[i] < middle; };
   const Neighborhoods neighborhoods = findNeighborhoods(sites, {.k = 8});
-  std::vector<Index> parents(sites.size());
-  std::iota(parents.begin(), parents.end(), 0u);
+  SiteSets sets(sites.size());
   for (Index i = 0; i < sites.size(); ++i) {
     if (!isInside(i)) continue;
     for (const Index j : neighborhoods.of(i)) {
-      if (isInside(j)) parents[findRoot(parents, i)] = findRoot(parents, j);
+      if (isInside(j)) sets.join(i, j);
     }
   }
   std::map<Index, int> sizes;
   for (Index i = 0; i < sites.size(); ++i) {
-    if (isInside(i)) ++sizes[findRoot(parents, i)];
+    if (isInside(i)) ++sizes[sets.rootOf(i)];
   }
   return static_cast<int>(
       std::count_if(sizes.begin(), sizes.end(), [&](const auto& part) { return part.second >= least; }));
