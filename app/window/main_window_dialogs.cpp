@@ -94,6 +94,7 @@ void MainWindow::saveRecipe() {
   QString path =
       QFileDialog::getSaveFileName(this, tr("Save recipe"), settings_.folder(), tr("Recipe (*.json)"));
   if (path.isEmpty()) return;
+  settings_.setRecipeFolder(QFileInfo(path).absolutePath());
   if (QFileInfo(path).suffix().isEmpty()) path += ".json";
   QSaveFile file(path);
   const std::string text = formatRecipe(done.recipe);
@@ -112,8 +113,9 @@ void MainWindow::saveRecipe() {
 
 void MainWindow::playRecipe() {
   const QString path =
-      QFileDialog::getOpenFileName(this, tr("Play recipe"), settings_.folder(), tr("Recipe (*.json)"));
+      QFileDialog::getOpenFileName(this, tr("Play recipe"), settings_.recipeFolder(), tr("Recipe (*.json)"));
   if (path.isEmpty()) return;
+  settings_.setRecipeFolder(QFileInfo(path).absolutePath());
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly))
     return workbench_.say(tr("%1 cannot be read: %2.").arg(path, file.errorString()));

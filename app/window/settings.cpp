@@ -1,5 +1,7 @@
 #include "app/window/settings.h"
 
+#include <QCoreApplication>
+#include <QDir>
 #include <QSettings>
 #include <QStandardPaths>
 
@@ -72,6 +74,19 @@ QString Settings::folder() const {
 
 void Settings::setFolder(const QString& folder) {
   QSettings().setValue("folder", folder);
+}
+
+QString Settings::recipeFolder() const {
+  return QSettings().value("recipe_folder", resourcePath("recipes")).toString();
+}
+
+void Settings::setRecipeFolder(const QString& folder) {
+  QSettings().setValue("recipe_folder", folder);
+}
+
+QString resourcePath(const QString& place) {
+  const QDir programs(QCoreApplication::applicationDirPath());
+  return QDir::cleanPath(programs.absoluteFilePath("../share/stipple/" + place));
 }
 
 std::filesystem::path spillFolder() {

@@ -24,7 +24,12 @@ class Settings {
   std::size_t undoBytes() const;  ///< 512 MB unless chosen otherwise
   QString folder() const;         ///< that a file was last chosen in
   void setFolder(const QString& folder);
+  QString recipeFolder() const;  ///< the same for recipes; at first that of those that come with the program
+  void setRecipeFolder(const QString& folder);
 };
+
+/// A file or folder that comes with the program, by its place among the resources.
+QString resourcePath(const QString& place);
 
 /// Folders of the user for what Stipple keeps: undo steps that left memory, journals, which plugins are off.
 std::filesystem::path spillFolder();

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <QCoreApplication>
-#include <QDir>
 #include <QFileInfo>
 #include <algorithm>
 #include <chrono>
@@ -12,6 +10,7 @@
 #include "app/document/recovery.h"
 #include "app/tools/selection.h"
 #include "app/window/sentence.h"
+#include "app/window/settings.h"
 #include "app/window/work_in_progress.h"
 #include "core/points/region.h"
 
@@ -27,8 +26,7 @@ UpAxis likelyUpAxis(const PointSet& points) {
 }
 
 std::filesystem::path sampleFile() {
-  const QDir programs(QCoreApplication::applicationDirPath());
-  return programs.absoluteFilePath("../share/stipple/sample/spot.ply").toStdString();
+  return resourcePath("sample/spot.ply").toStdString();
 }
 
 }  // namespace
@@ -281,12 +279,16 @@ void Workbench::flipNormals() {
   const Attribute* normal = after.find("normal");
   if (!normal || normal->type() != AttributeType::kVector3)
     return say(tr("These points have no normals to flip."));
-  const Region region = after.has(kSelection) ? regionWhereNotZero(after, kSelection) : Region();
+  const bool isPart = after.has(kSelection);
+  const Region region = isPart ? regionWhereNotZero(after, kSelection) : Region();
   const std::span<Eigen::Vector3f> normals = after.edit<Eigen::Vector3f>("normal");
   for (Index row = 0; row < after.size(); ++row) {
     if (region.contains(row)) normals[row] = -normals[row];
   }
-  commit("Flip normals", after);
+  // A recipe knows the operator that does the same; what is selected belongs to this scan.
+  constexpr const char* kOperator = "flip_normals";
+  if (isPart || !registry().find(kOperator)) return commit("Flip normals", after);
+  commit("Flip normals", after, Recipe::Step(makeInvocation(registry(), kOperator)));
 }
 
 void Workbench::deleteSelection() {

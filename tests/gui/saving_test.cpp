@@ -184,5 +184,16 @@ TEST_F(Saving, RecipePlaysOnTheSamePointsWithTheSameResult) {
   EXPECT_EQ(scan().document.history().size(), 2u);
 }
 
+TEST_F(Saving, ARecipeKnowsFlippedNormalsButNoSelection) {
+  openSphere();
+  workbench().flipNormals();
+  EXPECT_EQ(scan().document.recipe().recipe.steps.size(), 1u);
+  EXPECT_EQ(scan().document.recipe().leftOut, 0u);
+  choose("select_all");
+  workbench().flipNormals();
+  EXPECT_EQ(scan().document.recipe().recipe.steps.size(), 1u);
+  EXPECT_EQ(scan().document.recipe().leftOut, 2u) << "what is selected belongs to this scan";
+}
+
 }  // namespace
 }  // namespace stipple

@@ -43,6 +43,28 @@ TEST(Recipes, AllDoSomethingToTheSample) {
   EXPECT_GE(played, 11);
 }
 
+// The sample is painted over where its left eye is: dark before, as the skin around after.
+TEST(Recipes, TheSampleLosesAnEye) {
+  const TemporaryFolder folder;
+  const std::filesystem::path sample = kResources / "sample/spot.ply", out = folder.path() / "out.ply";
+  const ProgramRun run = play(kResources / "recipes/inpaint_sample.json", sample, out);
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  const PointSet before = read(sample), after = read(out);
+  const auto dark = [](const Rgba8& c) { return c.r < 60; };
+  const Eigen::Vector3f left(-0.1126f, -0.5098f, 0.6188f), right(0.0917f, -0.512f, 0.6188f);
+  int leftBefore = 0, leftAfter = 0, rightAfter = 0;
+  for (Index row = 0; row < before.size(); ++row) {
+    const Eigen::Vector3f& p = before.positions()[row];
+    const Rgba8 then = before.values<Rgba8>("color")[row], now = after.values<Rgba8>("color")[row];
+    leftBefore += (p - left).norm() < 0.1f && dark(then);
+    leftAfter += (p - left).norm() < 0.1f && dark(now);
+    rightAfter += (p - right).norm() < 0.08f && dark(now);
+  }
+  EXPECT_GT(leftBefore, 100);
+  EXPECT_EQ(leftAfter, 0);
+  EXPECT_GT(rightAfter, 100);
+}
+
 TEST(Recipes, APreparedScanHasNormals) {
   const TemporaryFolder folder;
   const std::filesystem::path bare = folder.path() / "bare.ply", out = folder.path() / "out.ply";

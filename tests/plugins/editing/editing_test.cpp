@@ -8,11 +8,10 @@
 #include <random>
 
 #include "core/io/point_io.h"
-#include "core/points/edit.h"
-#include "tests/support/identical.h"
 #include "tests/support/shapes.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
+#include "tests/support/undoable.h"
 
 namespace stipple {
 namespace {
@@ -38,16 +37,6 @@ PointSet line() {
   points.set("number", std::vector<std::int32_t>{0, 1, 2, 3, 4, 5});
   points.setTriangles({{0, 1, 2}, {3, 4, 5}});
   return points;
-}
-
-// What an edit makes of it is the same, and undone bit for bit.
-void expectUndoable(const PointSet& before, const RunResult& result) {
-  PointSet points = before;
-  Edit edit = difference(before, result.points, result.removedRows);
-  edit.apply(points);
-  EXPECT_TRUE(identical(points, result.points));
-  edit.revert(points);
-  EXPECT_TRUE(identical(points, before));
 }
 
 TEST(DeletePoints, RemovesTheRegionAndItsTriangles) {

@@ -11,11 +11,11 @@
 
 #include "core/geometry/discretization.h"
 #include "core/parallel.h"
-#include "core/points/edit.h"
 #include "plugins/fairing/resampling.h"
 #include "tests/plugins/fairing/faired.h"
 #include "tests/support/identical.h"
 #include "tests/support/shapes.h"
+#include "tests/support/undoable.h"
 
 namespace stipple {
 namespace {
@@ -144,13 +144,7 @@ TEST(Fairing, WeightsScaleWhatMoves) {
 
 TEST(Fairing, IsUndoneBitForBit) {
   const PointSet points = roughSquare(0.3);
-  const PointSet result = faired(points);
-  Edit edit = difference(points, result);
-  PointSet again = points;
-  edit.apply(again);
-  EXPECT_TRUE(identical(again, result));
-  edit.revert(again);
-  EXPECT_TRUE(identical(again, points));
+  expectUndoable(points, {.points = faired(points)});
 }
 
 TEST(Fairing, CopiesStayTogetherAndOddSetsStayFinite) {
@@ -223,12 +217,7 @@ TEST(Fairing, ResamplingKeepsTheDensity) {
     ASSERT_NEAR(result.points.values<float>("height")[row], p.z() / p.norm(), 0.05f);
     ASSERT_EQ(result.points.values<std::int32_t>("label")[row], 4);
   }
-  PointSet again = points;
-  Edit edit = difference(points, result.points, result.removedRows);
-  edit.apply(again);
-  EXPECT_TRUE(identical(again, result.points));
-  edit.revert(again);
-  EXPECT_TRUE(identical(again, points));
+  expectUndoable(points, result);
 }
 
 // A part that is pulled out by volume that is kept elsewhere stretches: points come.

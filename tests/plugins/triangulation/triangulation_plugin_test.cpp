@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "core/geometry/mesh_edges.h"
-#include "core/points/edit.h"
 #include "plugins/triangulation/triangulation.h"
 #include "tests/support/identical.h"
 #include "tests/support/shapes.h"
+#include "tests/support/undoable.h"
 
 namespace stipple {
 namespace {
@@ -59,15 +59,10 @@ TEST(TriangulationPlugin, ChangesNothingElseAndIsUndone) {
   const auto run = start(points);
   Progress progress;
   run->step(progress);
-  PointSet result = run->result().points;
-  Edit edit = difference(points, result);
+  const Edit edit = difference(points, run->result().points);
   EXPECT_TRUE(edit.changesTriangles());
   EXPECT_TRUE(edit.touched().empty());
-  PointSet again = points;
-  edit.apply(again);
-  EXPECT_EQ(again.triangles(), result.triangles());
-  edit.revert(again);
-  EXPECT_TRUE(identical(again, points));
+  expectUndoable(points, run->result());
 }
 
 TEST(TriangulationPlugin, SaysWhereThereIsNoSurface) {
