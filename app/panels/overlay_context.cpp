@@ -160,6 +160,13 @@ bool OverlayContext::hasPendingInput() const {
   return isBehind;
 }
 
+bool OverlayContext::hasHiddenPanels() const {
+  return std::ranges::any_of(state_->context->Windows, [](const ImGuiWindow* window) {
+    return window->Active &&
+           (window->HiddenFramesCanSkipItems > 0 || window->HiddenFramesCannotSkipItems > 0);
+  });
+}
+
 void OverlayContext::beginFrame(glm::ivec2 size, float seconds) {
   makeCurrent();
   ImGuiIO& io = ImGui::GetIO();

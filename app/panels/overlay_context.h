@@ -37,6 +37,8 @@ class OverlayContext {
   void typeCharacter(char32_t character);
   /// Something was fed that no frame has seen to its end: draw one.
   bool hasPendingInput() const;
+  /// A panel that came in the last frame is laid out, but shown by the next only: draw it.
+  bool hasHiddenPanels() const;
 
   /// Panels are drawn between the two. `seconds` since the last frame. The drawing lives until the next
   /// frame.

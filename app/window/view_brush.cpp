@@ -106,7 +106,7 @@ void ViewController::beginPainting() {
     };
   }
   painting_.begin(scan.document, scan.distance, stroke, std::move(filter));
-  if (stroke.attribute == maskAttribute_) showPainted(stroke.attribute);
+  if (tool_ != Tool::kSelect) showPainted(stroke.attribute);
 }
 
 void ViewController::followStroke(const BrushResponse& response) {

@@ -190,7 +190,7 @@ const ImDrawData& ViewController::drawOverlay() {
   // What the user did acts after the picture is painted, not within.
   QMetaObject::invokeMethod(
       this, [this, actions = actions] { applyOverlay(actions); }, Qt::QueuedConnection);
-  if (overlayContext_.hasPendingInput() || overlayView_.isAnimated())
+  if (overlayContext_.hasPendingInput() || overlayContext_.hasHiddenPanels() || overlayView_.isAnimated())
     QTimer::singleShot(30, this, [this] { viewport_->widget().update(); });
   return drawing;
 }

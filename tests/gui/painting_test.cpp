@@ -100,6 +100,24 @@ TEST_F(Painting, ALabelThatWasClickedIsPaintedThoughNoPictureCameBetween) {
   EXPECT_EQ(std::set<int>(seeds.begin(), seeds.end()), (std::set<int>{0, 2}));
 }
 
+TEST_F(Painting, ThePanelOfTheBrushComesWithoutTheMouse) {
+  takeSeedBrush();
+  view().setTool(Tool::kOrbit);
+  waitForPicture();
+  waitFor("no panel", [this] { return !swatchOf(2); });
+  view().setTool(Tool::kPaint);
+  EXPECT_TRUE(waitFor(
+      "the panel", [this] { return swatchOf(2).has_value(); }, 10'000));
+}
+
+TEST_F(Painting, WhatIsPaintedIsShown) {
+  takeSeedBrush();
+  scan().look.colors = ColorSource{.attribute = "altitude"};
+  view().relook();
+  drag(stroke());
+  EXPECT_EQ(scan().look.colors.attribute, "seeds");
+}
+
 TEST_F(Painting, IsSeenAtOnce) {
   takeSeedBrush();
   const auto color = [this] {

@@ -44,6 +44,21 @@ TEST(OverlayContext, SeesAClickShorterThanAFrame) {
   EXPECT_FALSE(context.hasPendingInput());
 }
 
+TEST(OverlayContext, APanelOfItsOwnSizeAsksForTheFrameThatShowsIt) {
+  OverlayStage stage(200, 160);
+  const auto draw = [] {
+    ImGui::Begin("fitting", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::TextUnformatted("as large as this");
+    ImGui::End();
+  };
+  stage.settle([] {});
+  EXPECT_FALSE(stage.context().hasHiddenPanels());
+  stage.frame(draw);
+  EXPECT_TRUE(stage.context().hasHiddenPanels());
+  for (int i = 0; i < 3; ++i) stage.frame(draw);
+  EXPECT_FALSE(stage.context().hasHiddenPanels());
+}
+
 TEST(OverlayContext, WantsTheMouseOverAPanelAtOnce) {
   OverlayStage stage(200, 160);
   Counter counter;
