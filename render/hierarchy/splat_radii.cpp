@@ -74,6 +74,8 @@ SiteEstimate measureFan(const Sites& sites, const FanSet& set, Index site) {
   if (spokes.empty()) return {};
   const float dot = 0.5f * estimate.nearest;
   const float steep = steepness(sites, set.fans, site, set.normals[site]);
+  // Discs of different slopes part where they are seen at a grazing angle.
+  estimate.cover *= 1 + std::min(steep, 1.f);
   const float share = std::clamp((kScattered - steep) / (kScattered - kSteep), 0.f, 1.f);
   estimate.cover = std::max(dot + share * (estimate.cover - dot), std::min(dot, estimate.cover));
   if (!(estimate.cover > 0)) estimate.cover = dot;
