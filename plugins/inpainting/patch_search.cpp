@@ -1,0 +1,212 @@
+#include "plugins/inpainting/patch_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/nearest_points.h"
+
+namespace stipple {
+
+namespace {
+
+constexpr std::size_t kBlock = 64;
+// Pairs of patches that are all compared: a tenth of a second or less.
+constexpr std::size_t kAllPairs = 1'000'000;
+constexpr int kSweeps = 4;
+constexpr std::size_t kPropagating = 12;  // neighbors whose matches are followed
+constexpr int kDraws = 6;                 // sources drawn anywhere; as many around the match
+
+std::uint64_t mixed(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15u;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
+// One patch of the level and what it is compared with.
+class Comparison {
+ public:
+  Comparison(const ExemplarLevel& level, Index row, const SampleArray& confidence)
+      : level_(level), confidence_(confidence), samples_(kSamples * level.features.cols()) {
+    samplePatch(level.stencils[row], level.features, samples_.data());
+  }
+
+  // Stops counting at `least`.
+  float costOf(Index sourceRow, float least) const {
+    float cost = 0;
+    const float* source = level_.sourcePatches.row(sourceRow).data();
+    for (Eigen::Index c = 0; c < level_.features.cols() && cost < least; ++c) {
+      const Eigen::Map<const SampleArray> a(samples_.data() + c * kSamples), b(source + c * kSamples);
+      cost += (confidence_ * (a - b).square()).sum();
+    }
+    return cost;
+  }
+
+  // Sites that are no sources are passed over.
+  void consider(Index site, Match& match) const {
+    const Index row = level_.sourceRows[site];
+    if (row == kNoRow || site == match.source) return;
+    const float cost = costOf(row, match.cost);
+    if (cost < match.cost) match = {site, cost};
+  }
+  void considerAll(Match& match) const {
+    for (const Index site : level_.sources) consider(site, match);
+  }
+  void measure(Match& match) const {
+    match.cost = match.source == kNoRow
+                     ? std::numeric_limits<float>::infinity()
+                     : costOf(level_.sourceRows[match.source], std::numeric_limits<float>::infinity());
+  }
+
+ private:
+  const ExemplarLevel& level_;
+  const SampleArray& confidence_;
+  std::vector<float> samples_;
+};
+
+// A site near `site`, at most two steps from it.
+Index wander(const TangentPlaces& surface, Index site, std::uint64_t random) {
+  for (int step = 0; step < 2; ++step, random >>= 16) {
+    const std::span<const Index> neighbors = surface.of(site);
+    if (neighbors.empty()) break;
+    site = neighbors[random % neighbors.size()];
+  }
+  return site;
+}
+
+Match improved(const ExemplarLevel& level, const Matches& matches, Index row, std::uint64_t seed) {
+  const Comparison comparison(level, row, level.confidence[row]);
+  Match match = matches[row];
+  comparison.measure(match);
+  const Index site = level.compared[row];
+  const std::span<const Index> neighbors = level.surface.of(site);
+  const std::span<const Eigen::Vector2f> places = level.surface.placesOf(site);
+  for (std::size_t n = 0; n < std::min(kPropagating, neighbors.size()); ++n) {
+    const Index other = level.comparedRows[neighbors[n]];
+    if (other == kNoRow || matches[other].source == kNoRow) continue;
+    comparison.consider(level.surface.nearest(matches[other].source, -places[n]), match);
+  }
+  std::uint64_t random = mixed(seed ^ mixed(row));
+  for (int draw = 0; draw < kDraws; ++draw) {
+    random = mixed(random);
+    comparison.consider(level.sources[random % level.sources.size()], match);
+    if (match.source != kNoRow) comparison.consider(wander(level.surface, match.source, random >> 20), match);
+  }
+  return match;
+}
+
+}  // namespace
+
+void search(const ExemplarLevel& level, std::uint64_t seed, Matches& matches, const Progress* progress) {
+  const bool isSmall = level.compared.size() * level.sources.size() <= kAllPairs;
+  for (int sweep = 0; sweep < (isSmall ? 1 : kSweeps); ++sweep) {
+    Matches next(matches.size());
+    parallelFor(
+        matches.size(), kBlock,
+        [&](std::size_t begin, std::size_t end) {
+          for (auto row = static_cast<Index>(begin); row < end; ++row) {
+            if (isSmall) {
+              const Comparison comparison(level, row, level.confidence[row]);
+              next[row] = matches[row];
+              comparison.measure(next[row]);
+              comparison.considerAll(next[row]);
+            } else {
+              next[row] = improved(level, matches, row, mixed(seed) + static_cast<std::uint64_t>(sweep));
+            }
+          }
+        },
+        progress);
+    matches = std::move(next);
+  }
+}
+
+void searchLayer(const ExemplarLevel& level, int hops, std::span<const Index> rows, Matches& matches,
+                 const Progress* progress) {
+  // The others are not quite without a say: the fill before continues edges.
+  constexpr float kGuess = 0.02f;
+  std::vector<float> isFilled(level.hops.size());
+  for (std::size_t site = 0; site < isFilled.size(); ++site)
+    isFilled[site] = level.hops[site] < hops ? 1 : kGuess;
+  parallelFor(
+      rows.size(), 8,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t r = begin; r < end; ++r) {
+          SampleArray confidence =
+              level.confidence[rows[r]] * sampleNumber(level.stencils[rows[r]], isFilled);
+          const float sum = confidence.sum();
+          if (sum > 0) confidence /= sum;
+          const Comparison comparison(level, rows[r], confidence);
+          matches[rows[r]] = {};
+          comparison.considerAll(matches[rows[r]]);
+        }
+      },
+      progress);
+}
+
+void vote(ExemplarLevel& level, const Matches& matches, const Progress* progress) {
+  std::vector<float> costs;
+  for (const Match& match : matches) costs.push_back(match.cost);
+  const auto place = costs.begin() + static_cast<std::ptrdiff_t>(costs.size() * 3 / 4);
+  std::nth_element(costs.begin(), place, costs.end());
+  const float scale = std::max(*place, std::numeric_limits<float>::min());
+  Features voted(level.targets.size(), level.features.cols());
+  parallelFor(
+      level.targets.size(), kBlock,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+          const Index target = level.targets[t];
+          const Match& own = matches[level.comparedRows[target]];
+          float weights = 0;
+          Eigen::RowVectorXf sum = Eigen::RowVectorXf::Zero(level.features.cols());
+          const auto add = [&](const Match& match, Index source, int hops) {
+            if (level.kinds[source] != Surround::Kind::kKnown) return;
+            const float weight =
+                std::exp(-match.cost / (2 * scale)) * std::pow(1.3f, -static_cast<float>(hops)) + 1e-20f;
+            sum += weight * level.features.row(source);
+            weights += weight;
+          };
+          add(own, own.source, level.hops[target]);
+          const std::span<const Index> neighbors = level.surface.of(target);
+          const std::span<const Eigen::Vector2f> places = level.surface.placesOf(target);
+          for (std::size_t n = 0; n < neighbors.size(); ++n) {
+            const Index other = level.comparedRows[neighbors[n]];
+            if (other == kNoRow || places[n].squaredNorm() > 3.5f * 3.5f) continue;
+            const Match& match = matches[other];
+            add(match, level.surface.nearest(match.source, -places[n]), level.hops[neighbors[n]]);
+          }
+          voted.row(static_cast<Eigen::Index>(t)) = sum / weights;
+        }
+      },
+      progress);
+  for (std::size_t t = 0; t < level.targets.size(); ++t)
+    level.features.row(level.targets[t]) = voted.row(static_cast<Eigen::Index>(t));
+}
+
+void copyCenters(ExemplarLevel& level, const Matches& matches) {
+  for (const Index target : level.targets)
+    level.features.row(target) = level.features.row(matches[level.comparedRows[target]].source);
+}
+
+Matches refine(const ExemplarLevel& coarse, const Matches& matches, const ExemplarLevel& fine,
+               const Progress* progress) {
+  std::vector<Eigen::Vector3f> from, to;
+  for (const Index site : coarse.compared) from.push_back(coarse.surface.positions[site]);
+  for (const Index site : fine.compared) to.push_back(fine.surface.positions[site]);
+  const std::vector<Index> nearest = findNearestPoints(from, to, progress);
+  Matches refined(fine.compared.size());
+  for (std::size_t row = 0; row < refined.size(); ++row) {
+    const Index middle = coarse.finer[coarse.compared[nearest[row]]];
+    const Index source = coarse.finer[matches[nearest[row]].source];
+    const Index moved = fine.surface.nearest(source, fine.surface.placeOf(middle, to[row]));
+    if (fine.isSource(moved)) {
+      refined[row].source = moved;
+    } else if (fine.isSource(source)) {
+      refined[row].source = source;
+    } else {
+      refined[row].source = fine.sources[row % fine.sources.size()];
+    }
+  }
+  return refined;
+}
+
+}  // namespace stipple
