@@ -23,11 +23,9 @@ struct ExemplarLevel {
   std::vector<PatchStencil> stencils;   ///< parallel to compared
   std::vector<SampleArray> confidence;  ///< parallel to compared: what samples count, their sum is 1 (or 0)
 
-  std::vector<Index> sources;     ///< sites whose patches are whole and known
-  std::vector<Index> sourceRows;  ///< site -> row of sources, or kNoRow
-  Features sourcePatches;         ///< sources x (channels x 37)
-
-  bool isSource(Index site) const { return sourceRows[site] != kNoRow; }
+  std::vector<Index> sources;          ///< sites whose patches are whole and known
+  std::vector<std::uint8_t> isSource;  ///< of each site
+  Features patches;                    ///< sites x (channels x 37); of sources only
 };
 
 /// The finest level. `frames` from carryFrames.

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace stipple {
 
 namespace {
 
 // A level is coarse enough where a target lies at most this many steps from what is known.
-constexpr int kCoarsestHops = 4;
+constexpr int kCoarsestHops = 8;
 constexpr std::size_t kMostLevels = 5;
 // With fewer sources a coarse level tells nothing.
 constexpr std::size_t kLeastSources = 24;
@@ -57,28 +58,10 @@ int ExemplarPart::roundCount() const {
   return 1 + kRounds * static_cast<int>(levels_.size());
 }
 
-void ExemplarPart::fillCoarsest(const Progress& progress) {
-  ExemplarLevel& level = levels_[level_];
-  matches_.assign(level.compared.size(), {});
-  std::vector<std::vector<Index>> layers;
-  for (Index row = 0; row < level.compared.size(); ++row) {
-    const auto hops = static_cast<std::size_t>(level.hops[level.compared[row]]);
-    if (layers.size() <= hops) layers.resize(hops + 1);
-    layers[hops].push_back(row);
-  }
-  for (std::size_t hops = 0; hops < layers.size(); ++hops) {
-    searchLayer(level, std::max(1, static_cast<int>(hops)), layers[hops], matches_, &progress);
-    for (const Index row : layers[hops]) {
-      const Index site = level.compared[row];
-      if (level.kinds[site] == Surround::Kind::kTarget)
-        level.features.row(site) = level.features.row(matches_[row].source);
-    }
-  }
-}
-
 void ExemplarPart::step(const Progress& progress) {
   if (rounds_ == 0) {
-    fillCoarsest(progress);
+    matches_.assign(levels_[level_].compared.size(), {});
+    fillInLayers(levels_[level_], matches_, &progress);
   } else {
     if (roundsOfLevel_ == kRounds) {
       matches_ = refine(levels_[level_], matches_, levels_[level_ - 1], &progress);
@@ -86,8 +69,11 @@ void ExemplarPart::step(const Progress& progress) {
       roundsOfLevel_ = 0;
       copyCenters(levels_[level_], matches_);
     }
-    search(levels_[level_], static_cast<std::uint64_t>(rounds_), matches_, &progress);
-    vote(levels_[level_], matches_, &progress);
+    ExemplarLevel& level = levels_[level_];
+    std::vector<Index> rows(level.compared.size());
+    std::iota(rows.begin(), rows.end(), 0u);
+    search(level, rows, level.confidence, static_cast<std::uint64_t>(rounds_), matches_, &progress);
+    vote(level, matches_, &progress);
     ++roundsOfLevel_;
   }
   ++rounds_;

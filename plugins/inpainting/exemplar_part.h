@@ -23,7 +23,6 @@ class ExemplarPart {
 
  private:
   int roundCount() const;
-  void fillCoarsest(const Progress& progress);
 
   Surround surround_;
   bool areVectors_ = false;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/geometry/nearest_points.h"
 
@@ -12,7 +13,7 @@ namespace {
 constexpr std::size_t kBlock = 64;
 // Pairs of patches that are all compared: a tenth of a second or less.
 constexpr std::size_t kAllPairs = 1'000'000;
-constexpr int kSweeps = 4;
+constexpr std::uint64_t kSweeps = 4;
 constexpr std::size_t kPropagating = 12;  // neighbors whose matches are followed
 constexpr int kDraws = 6;                 // sources drawn anywhere; as many around the match
 
@@ -32,9 +33,9 @@ class Comparison {
   }
 
   // Stops counting at `least`.
-  float costOf(Index sourceRow, float least) const {
+  float costOf(Index site, float least) const {
     float cost = 0;
-    const float* source = level_.sourcePatches.row(sourceRow).data();
+    const float* source = level_.patches.row(site).data();
     for (Eigen::Index c = 0; c < level_.features.cols() && cost < least; ++c) {
       const Eigen::Map<const SampleArray> a(samples_.data() + c * kSamples), b(source + c * kSamples);
       cost += (confidence_ * (a - b).square()).sum();
@@ -44,18 +45,16 @@ class Comparison {
 
   // Sites that are no sources are passed over.
   void consider(Index site, Match& match) const {
-    const Index row = level_.sourceRows[site];
-    if (row == kNoRow || site == match.source) return;
-    const float cost = costOf(row, match.cost);
+    if (!level_.isSource[site] || site == match.source) return;
+    const float cost = costOf(site, match.cost);
     if (cost < match.cost) match = {site, cost};
   }
   void considerAll(Match& match) const {
     for (const Index site : level_.sources) consider(site, match);
   }
   void measure(Match& match) const {
-    match.cost = match.source == kNoRow
-                     ? std::numeric_limits<float>::infinity()
-                     : costOf(level_.sourceRows[match.source], std::numeric_limits<float>::infinity());
+    match.cost = std::numeric_limits<float>::infinity();
+    if (match.source != kNoRow) match.cost = costOf(match.source, match.cost);
   }
 
  private:
@@ -74,10 +73,9 @@ Index wander(const TangentPlaces& surface, Index site, std::uint64_t random) {
   return site;
 }
 
-Match improved(const ExemplarLevel& level, const Matches& matches, Index row, std::uint64_t seed) {
-  const Comparison comparison(level, row, level.confidence[row]);
-  Match match = matches[row];
-  comparison.measure(match);
+// By what the matches of neighbors lead to, and by chance.
+void tryCandidates(const ExemplarLevel& level, const Comparison& comparison, const Matches& matches,
+                   Index row, std::uint64_t random, Match& match) {
   const Index site = level.compared[row];
   const std::span<const Index> neighbors = level.surface.of(site);
   const std::span<const Eigen::Vector2f> places = level.surface.placesOf(site);
@@ -86,61 +84,60 @@ Match improved(const ExemplarLevel& level, const Matches& matches, Index row, st
     if (other == kNoRow || matches[other].source == kNoRow) continue;
     comparison.consider(level.surface.nearest(matches[other].source, -places[n]), match);
   }
-  std::uint64_t random = mixed(seed ^ mixed(row));
   for (int draw = 0; draw < kDraws; ++draw) {
     random = mixed(random);
     comparison.consider(level.sources[random % level.sources.size()], match);
     if (match.source != kNoRow) comparison.consider(wander(level.surface, match.source, random >> 20), match);
   }
-  return match;
 }
 
 }  // namespace
 
-void search(const ExemplarLevel& level, std::uint64_t seed, Matches& matches, const Progress* progress) {
-  const bool isSmall = level.compared.size() * level.sources.size() <= kAllPairs;
-  for (int sweep = 0; sweep < (isSmall ? 1 : kSweeps); ++sweep) {
-    Matches next(matches.size());
+void search(const ExemplarLevel& level, std::span<const Index> rows, std::span<const SampleArray> confidence,
+            std::uint64_t seed, Matches& matches, const Progress* progress) {
+  const bool isSmall = rows.size() * level.sources.size() <= kAllPairs;
+  for (std::uint64_t sweep = 0; sweep < (isSmall ? 1 : kSweeps); ++sweep) {
+    Matches next(rows.size());
     parallelFor(
-        matches.size(), kBlock,
+        rows.size(), kBlock,
         [&](std::size_t begin, std::size_t end) {
-          for (auto row = static_cast<Index>(begin); row < end; ++row) {
+          for (std::size_t r = begin; r < end; ++r) {
+            const Comparison comparison(level, rows[r], confidence[r]);
+            next[r] = matches[rows[r]];
+            comparison.measure(next[r]);
             if (isSmall) {
-              const Comparison comparison(level, row, level.confidence[row]);
-              next[row] = matches[row];
-              comparison.measure(next[row]);
-              comparison.considerAll(next[row]);
+              comparison.considerAll(next[r]);
             } else {
-              next[row] = improved(level, matches, row, mixed(seed) + static_cast<std::uint64_t>(sweep));
+              tryCandidates(level, comparison, matches, rows[r], mixed(mixed(seed + sweep) ^ rows[r]),
+                            next[r]);
             }
           }
         },
         progress);
-    matches = std::move(next);
+    for (std::size_t r = 0; r < rows.size(); ++r) matches[rows[r]] = next[r];
   }
 }
 
-void searchLayer(const ExemplarLevel& level, int hops, std::span<const Index> rows, Matches& matches,
-                 const Progress* progress) {
-  // The others are not quite without a say: the fill before continues edges.
+void fillInLayers(ExemplarLevel& level, Matches& matches, const Progress* progress) {
+  // What is not filled yet is not quite without a say: the fill before continues edges.
   constexpr float kGuess = 0.02f;
+  std::map<int, std::vector<Index>> layers;
+  for (Index row = 0; row < level.compared.size(); ++row)
+    layers[level.hops[level.compared[row]]].push_back(row);
   std::vector<float> isFilled(level.hops.size());
-  for (std::size_t site = 0; site < isFilled.size(); ++site)
-    isFilled[site] = level.hops[site] < hops ? 1 : kGuess;
-  parallelFor(
-      rows.size(), 8,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t r = begin; r < end; ++r) {
-          SampleArray confidence =
-              level.confidence[rows[r]] * sampleNumber(level.stencils[rows[r]], isFilled);
-          const float sum = confidence.sum();
-          if (sum > 0) confidence /= sum;
-          const Comparison comparison(level, rows[r], confidence);
-          matches[rows[r]] = {};
-          comparison.considerAll(matches[rows[r]]);
-        }
-      },
-      progress);
+  for (const auto& [hops, rows] : layers) {
+    for (std::size_t site = 0; site < isFilled.size(); ++site)
+      isFilled[site] = level.hops[site] < std::max(hops, 1) ? 1 : kGuess;
+    std::vector<SampleArray> confidence;
+    for (const Index row : rows)
+      confidence.push_back(normalized(level.confidence[row] * sampleNumber(level.stencils[row], isFilled)));
+    search(level, rows, confidence, static_cast<std::uint64_t>(hops), matches, progress);
+    for (const Index row : rows) {
+      const Index site = level.compared[row];
+      if (level.kinds[site] == Surround::Kind::kTarget)
+        level.features.row(site) = level.features.row(matches[row].source);
+    }
+  }
 }
 
 void vote(ExemplarLevel& level, const Matches& matches, const Progress* progress) {
@@ -198,9 +195,9 @@ Matches refine(const ExemplarLevel& coarse, const Matches& matches, const Exempl
     const Index middle = coarse.finer[coarse.compared[nearest[row]]];
     const Index source = coarse.finer[matches[nearest[row]].source];
     const Index moved = fine.surface.nearest(source, fine.surface.placeOf(middle, to[row]));
-    if (fine.isSource(moved)) {
+    if (fine.isSource[moved]) {
       refined[row].source = moved;
-    } else if (fine.isSource(source)) {
+    } else if (fine.isSource[source]) {
       refined[row].source = source;
     } else {
       refined[row].source = fine.sources[row % fine.sources.size()];

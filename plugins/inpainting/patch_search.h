@@ -13,16 +13,16 @@ struct Match {
 /// The matches of the compared patches of a level.
 using Matches = std::vector<Match>;
 
-/// Lowers every match's cost: by all sources where that is affordable, else by what the matches of neighbors
-/// lead to and by sources drawn at random (PatchMatch, Barnes et al. 2009, all patches at once: the result
-/// does not depend on the number of threads). Costs are those of the level's features.
-void search(const ExemplarLevel& level, std::uint64_t seed, Matches& matches,
-            const Progress* progress = nullptr);
+/// Lowers the costs of the matches of some rows of `compared`: by all sources where that is affordable, else
+/// by what the matches of neighbors lead to and by sources drawn at random (PatchMatch, Barnes et al. 2009,
+/// all patches at once: the result does not depend on the number of threads). `confidence` of samples,
+/// parallel to rows. There has to be a source.
+void search(const ExemplarLevel& level, std::span<const Index> rows, std::span<const SampleArray> confidence,
+            std::uint64_t seed, Matches& matches, const Progress* progress = nullptr);
 
-/// Matches of rows of `compared` only, among all sources, by what the samples at sites of less than `hops`
-/// tell: what has been filled so far.
-void searchLayer(const ExemplarLevel& level, int hops, std::span<const Index> rows, Matches& matches,
-                 const Progress* progress = nullptr);
+/// A first fill from the rim inward: what lies one step farther in is compared by what has been filled so
+/// far.
+void fillInLayers(ExemplarLevel& level, Matches& matches, const Progress* progress = nullptr);
 
 /// Features of the targets: weighted means of what the matches of all patches that hold them have in their
 /// places, closer matches for more (Wexler et al. 2007).

@@ -38,34 +38,34 @@ bool PatchStencil::isWhole() const {
 
 PatchStencil fitStencil(const TangentPlaces& surface, Index site) {
   const std::span<const Index> neighbors = surface.of(site);
-  const std::span<const Eigen::Vector2f> places = surface.placesOf(site);
+  const auto count = static_cast<Eigen::Index>(neighbors.size());
+  const auto places = Eigen::Matrix2Xf::Map(surface.placesOf(site).data()->data(), 2, count);
+  const Eigen::ArrayXf u = places.row(0), v = places.row(1);
+  Eigen::ArrayXf distances(count);
   PatchStencil stencil;
   for (int s = 0; s < kSamples; ++s) {
+    distances = (u - kLattice[s].x()).square() + (v - kLattice[s].y()).square();
     // The three nearest, insertion by insertion.
-    float far = std::numeric_limits<float>::infinity();
-    std::array<float, 3> squared{kLattice[s].squaredNorm(), far, far};
+    constexpr float kNone = std::numeric_limits<float>::infinity();
+    std::array<float, 3> squared{kLattice[s].squaredNorm(), kNone, kNone};
     std::array<Index, 3> nearest{site, site, site};
-    for (std::size_t n = 0; n < neighbors.size(); ++n) {
-      const float distance = (places[n] - kLattice[s]).squaredNorm();
-      if (!(distance < squared[2])) continue;
+    for (Eigen::Index n = 0; n < count; ++n) {
+      if (!(distances[n] < squared[2])) continue;
       int rank = 2;
-      for (; rank > 0 && distance < squared[rank - 1]; --rank) {
+      for (; rank > 0 && distances[n] < squared[rank - 1]; --rank) {
         squared[rank] = squared[rank - 1];
         nearest[rank] = nearest[rank - 1];
       }
-      squared[rank] = distance;
-      nearest[rank] = neighbors[n];
+      squared[rank] = distances[n];
+      nearest[rank] = neighbors[static_cast<std::size_t>(n)];
     }
     const bool isSurface = squared[0] <= kFarthest * kFarthest;
-    float sum = 0;
-    std::array<float, 3> weights;
-    for (int r = 0; r < 3; ++r) {
-      weights[r] = isSurface ? 1 / (squared[r] + kSoftening) : 0;
-      sum += weights[r];
-    }
+    Eigen::Array3f weights = Eigen::Array3f::Zero();
+    if (isSurface) weights = (Eigen::Array3f::Map(squared.data()) + kSoftening).inverse();
+    if (isSurface) weights /= weights.sum();
     for (int r = 0; r < 3; ++r) {
       stencil.sites[3 * s + r] = nearest[r];
-      stencil.weights[3 * s + r] = isSurface ? weights[r] / sum : 0;
+      stencil.weights[3 * s + r] = weights[r];
     }
   }
   return stencil;
@@ -88,6 +88,11 @@ SampleArray sampleNumber(const PatchStencil& stencil, std::span<const float> num
     for (int r = 3 * s; r < 3 * s + 3; ++r) samples[s] += stencil.weights[r] * numbers[stencil.sites[r]];
   }
   return samples;
+}
+
+SampleArray normalized(const SampleArray& weights) {
+  const float sum = weights.sum();
+  return sum > 0 ? SampleArray(weights / sum) : weights;
 }
 
 }  // namespace stipple

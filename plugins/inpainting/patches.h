@@ -32,4 +32,7 @@ void samplePatch(const PatchStencil& stencil, const Features& features, float* s
 /// The same of one number a site.
 SampleArray sampleNumber(const PatchStencil& stencil, std::span<const float> numbers);
 
+/// Divided by their sum, where there is one.
+SampleArray normalized(const SampleArray& weights);
+
 }  // namespace stipple
