@@ -49,8 +49,8 @@ bool ExemplarFill::openNextPart(const Hole& hole, const Progress& progress) {
   for (; !part_ && nextPart_ < parts_.size(); ++nextPart_) {
     const MaskPart& next = parts_[nextPart_];
     const Attribute& attribute = *points_.find(attribute_);
-    ExemplarPart part(attribute.type(), gatherSurround(points_, attribute, region_, hole, next), spacing_,
-                      progress);
+    ExemplarPart part(attribute.type(), hole, gatherSurround(points_, attribute, region_, hole, next),
+                      spacing_, progress);
     if (part.hasSources()) {
       part_ = std::move(part);
       continue;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace stipple {
@@ -22,29 +23,54 @@ int deepest(const ExemplarLevel& level) {
   return hops;
 }
 
-Index deepestTarget(const Surround& surround) {
-  const auto first = std::ranges::find(surround.kinds, Surround::Kind::kTarget);
-  return first == surround.kinds.end() ? 0 : static_cast<Index>(first - surround.kinds.begin());
+// The target nearest to the middle of all.
+Index middleTarget(const Surround& surround) {
+  const std::vector<Eigen::Vector3f>& positions = surround.sites.positions;
+  const auto isTarget = [&](Index site) { return surround.kinds[site] == Surround::Kind::kTarget; };
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double count = 0;
+  for (Index site = 0; site < positions.size(); ++site) {
+    if (!isTarget(site)) continue;
+    sum += positions[site].cast<double>();
+    ++count;
+  }
+  const Eigen::Vector3f middle = (sum / std::max(count, 1.0)).cast<float>();
+  Index best = 0;
+  float least = std::numeric_limits<float>::infinity();
+  for (Index site = 0; site < positions.size(); ++site) {
+    const float distance = (positions[site] - middle).norm();
+    if (!isTarget(site) || !(distance < least)) continue;
+    least = distance;
+    best = site;
+  }
+  return best;
 }
 
-// Colors are compared as they are seen (gamma 2.2), vectors in tangent frames.
-Features featuresOf(AttributeType type, const Eigen::MatrixXd& values,
+// Colors are compared as they are seen (gamma 2.2), vectors in tangent frames, numbers by their known range.
+Features featuresOf(AttributeType type, const Hole& hole, const Eigen::MatrixXd& values,
                     std::span<const Eigen::Matrix3f> frames) {
-  Features features = values.cast<float>();
-  if (type == AttributeType::kColor) features = features.array().max(0).pow(1 / 2.2f).matrix();
-  if (type == AttributeType::kVector3) {
-    for (std::size_t site = 0; site < frames.size(); ++site)
-      features.row(site) = (frames[site].transpose() * features.row(site).transpose()).transpose().eval();
+  if (type == AttributeType::kColor) return values.array().max(0).pow(1 / 2.2).cast<float>();
+  const bool areVectors = type == AttributeType::kVector3;
+  const Eigen::RowVectorXd offset =
+      areVectors ? Eigen::RowVectorXd::Zero(values.cols()).eval() : Eigen::RowVectorXd(hole.least);
+  const double range =
+      std::max((hole.greatest - offset).cwiseAbs().maxCoeff(), (hole.least - offset).cwiseAbs().maxCoeff());
+  if (!(range > 0 && std::isfinite(range))) return Features::Zero(values.rows(), values.cols());
+  Features features = ((values.rowwise() - offset) / range).cast<float>();
+  for (std::size_t site = 0; areVectors && site < frames.size(); ++site) {
+    const Eigen::Vector3f vector = features.row(static_cast<Eigen::Index>(site)).transpose();
+    features.row(static_cast<Eigen::Index>(site)) = vector.transpose() * frames[site];
   }
   return features;
 }
 
 }  // namespace
 
-ExemplarPart::ExemplarPart(AttributeType type, Surround surround, float spacing, const Progress& progress)
+ExemplarPart::ExemplarPart(AttributeType type, const Hole& hole, Surround surround, float spacing,
+                           const Progress& progress)
     : surround_(std::move(surround)), areVectors_(type == AttributeType::kVector3) {
-  std::vector<Eigen::Matrix3f> frames = carryFrames(surround_.sites, deepestTarget(surround_), &progress);
-  Features features = featuresOf(type, surround_.values, frames);
+  std::vector<Eigen::Matrix3f> frames = carryFrames(surround_.sites, middleTarget(surround_), &progress);
+  Features features = featuresOf(type, hole, surround_.values, frames);
   levels_.push_back(makeFinestLevel(surround_, std::move(frames), std::move(features), spacing, &progress));
   while (levels_.size() < kMostLevels && deepest(levels_.back()) > kCoarsestHops) {
     ExemplarLevel coarser = thinLevel(levels_.back(), &progress);
@@ -86,12 +112,12 @@ void ExemplarPart::write(Hole& hole, const Progress& progress) const {
   const ExemplarLevel& finest = levels_.front();
   for (const Index target : finest.targets) {
     const Index source = matches[finest.comparedRows[target]].source;
-    Eigen::RowVectorXd value = surround_.values.row(source);
+    Eigen::VectorXd value = surround_.values.row(source).transpose();
     if (areVectors_) {
       const Eigen::Matrix3f turn = finest.surface.frames[target] * finest.surface.frames[source].transpose();
-      value = (turn.cast<double>() * value.transpose()).transpose().eval();
+      value = (turn.cast<double>() * value).eval();
     }
-    hole.values.row(surround_.holeSites[target]) = value;
+    hole.values.row(surround_.holeSites[target]) = value.transpose();
   }
 }
 

@@ -8,7 +8,8 @@ namespace stipple {
 /// 2007). Vectors are compared and copied in tangent frames: they turn with the surface.
 class ExemplarPart {
  public:
-  ExemplarPart(AttributeType type, Surround surround, float spacing, const Progress& progress);
+  ExemplarPart(AttributeType type, const Hole& hole, Surround surround, float spacing,
+               const Progress& progress);
   /// Without sources there is nothing to take from: no step may be made.
   bool hasSources() const { return !levels_.front().sources.empty(); }
   std::size_t targetCount() const { return levels_.front().targets.size(); }
