@@ -20,8 +20,6 @@ constexpr std::size_t kBlock = 256;
 // The roughness counts for this much more than a color: found on holes in a scan of a rough skin, which kept
 // four fifths of its contrast with it and three quarters without.
 constexpr float kRoughnessWeight = 3;
-// A step away from what is known counts for this much less (Wexler et al. 2007).
-constexpr float kFading = 1.3f;
 // What other parts of the mask have may not be right yet.
 constexpr float kOtherConfidence = 0.1f;
 
@@ -65,8 +63,7 @@ StencilKind kindOf(const PatchStencil& stencil, std::span<const Kind> kinds) {
 std::vector<float> confidenceOfSites(const ExemplarLevel& level) {
   std::vector<float> confidence(level.kinds.size(), 1);
   for (std::size_t site = 0; site < confidence.size(); ++site) {
-    if (level.kinds[site] == Kind::kTarget)
-      confidence[site] = std::pow(kFading, -static_cast<float>(level.hops[site]));
+    if (level.kinds[site] == Kind::kTarget) confidence[site] = fading(level.hops[site]);
     if (level.kinds[site] == Kind::kOther) confidence[site] = kOtherConfidence;
   }
   return confidence;

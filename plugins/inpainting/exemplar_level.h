@@ -1,11 +1,17 @@
 #pragma once
 
+#include <cmath>
 #include <limits>
 
 #include "plugins/inpainting/patches.h"
 #include "plugins/inpainting/surround.h"
 
 namespace stipple {
+
+/// How much less counts what lies so many steps from what is known (Wexler et al. 2007).
+inline float fading(int hops) {
+  return std::pow(1.3f, -static_cast<float>(hops));
+}
 
 constexpr Index kNoRow = std::numeric_limits<Index>::max();
 

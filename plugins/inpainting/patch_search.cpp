@@ -11,6 +11,8 @@ namespace stipple {
 namespace {
 
 constexpr std::size_t kBlock = 64;
+// Keeps means defined where no match is close.
+constexpr float kLeastWeight = 1e-20f;
 // Pairs of patches that are all compared: a tenth of a second or less.
 constexpr std::size_t kAllPairs = 1'000'000;
 constexpr std::uint64_t kSweeps = 4;
@@ -91,6 +93,29 @@ void tryCandidates(const ExemplarLevel& level, const Comparison& comparison, con
   }
 }
 
+// What a patch that holds a target says about it.
+struct Ballot {
+  Index source;  // the known site in its place
+  float cost;
+  int hops;  // of the middle of the patch
+};
+
+// Calls body(ballot) for all patches that hold the target, its own first.
+template <class Body>
+void forBallots(const ExemplarLevel& level, const Matches& matches, Index target, const Body& body) {
+  const Match& own = matches[level.comparedRows[target]];
+  body(Ballot{own.source, own.cost, level.hops[target]});
+  const std::span<const Index> neighbors = level.surface.of(target);
+  const std::span<const Eigen::Vector2f> places = level.surface.placesOf(target);
+  for (std::size_t n = 0; n < neighbors.size(); ++n) {
+    const Index row = level.comparedRows[neighbors[n]];
+    if (row == kNoRow || places[n].norm() > kPatchRadius) continue;
+    const Index source = level.surface.nearest(matches[row].source, -places[n]);
+    if (level.kinds[source] != Surround::Kind::kKnown) continue;
+    body(Ballot{source, matches[row].cost, level.hops[neighbors[n]]});
+  }
+}
+
 }  // namespace
 
 void search(const ExemplarLevel& level, std::span<const Index> rows, std::span<const SampleArray> confidence,
@@ -151,26 +176,13 @@ void vote(ExemplarLevel& level, const Matches& matches, const Progress* progress
       level.targets.size(), kBlock,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
-          const Index target = level.targets[t];
-          const Match& own = matches[level.comparedRows[target]];
           float weights = 0;
           Eigen::RowVectorXf sum = Eigen::RowVectorXf::Zero(level.features.cols());
-          const auto add = [&](const Match& match, Index source, int hops) {
-            if (level.kinds[source] != Surround::Kind::kKnown) return;
-            const float weight =
-                std::exp(-match.cost / (2 * scale)) * std::pow(1.3f, -static_cast<float>(hops)) + 1e-20f;
-            sum += weight * level.features.row(source);
+          forBallots(level, matches, level.targets[t], [&](const Ballot& ballot) {
+            const float weight = std::exp(-ballot.cost / (2 * scale)) * fading(ballot.hops) + kLeastWeight;
+            sum += weight * level.features.row(ballot.source);
             weights += weight;
-          };
-          add(own, own.source, level.hops[target]);
-          const std::span<const Index> neighbors = level.surface.of(target);
-          const std::span<const Eigen::Vector2f> places = level.surface.placesOf(target);
-          for (std::size_t n = 0; n < neighbors.size(); ++n) {
-            const Index other = level.comparedRows[neighbors[n]];
-            if (other == kNoRow || places[n].squaredNorm() > 3.5f * 3.5f) continue;
-            const Match& match = matches[other];
-            add(match, level.surface.nearest(match.source, -places[n]), level.hops[neighbors[n]]);
-          }
+          });
           voted.row(static_cast<Eigen::Index>(t)) = sum / weights;
         }
       },

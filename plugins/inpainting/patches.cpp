@@ -7,7 +7,6 @@ namespace stipple {
 
 namespace {
 
-constexpr float kRadiusSquared = 3.5f * 3.5f;
 // Farther than this from every site, in spacings, there is no surface: among points thrown at random one
 // place in a thousand is.
 constexpr float kFarthest = 1.5f;
@@ -20,7 +19,7 @@ std::array<Eigen::Vector2f, kSamples> latticePlaces() {
   for (int v = -3; v <= 3; ++v) {
     for (int u = -3; u <= 3; ++u) {
       const Eigen::Vector2f place(static_cast<float>(u), static_cast<float>(v));
-      if (place.squaredNorm() <= kRadiusSquared) places[count++] = place;
+      if (place.norm() <= kPatchRadius) places[count++] = place;
     }
   }
   return places;

@@ -11,6 +11,7 @@ namespace stipple {
 
 /// A patch is what values are at the 37 places of a square lattice within 3.5 spacings of a site.
 constexpr int kSamples = 37;
+constexpr float kPatchRadius = 3.5f;  // spacings
 using SampleArray = Eigen::Array<float, kSamples, 1>;
 
 /// Sites x channels.
