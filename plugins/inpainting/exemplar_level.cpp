@@ -194,9 +194,11 @@ void addRoughness(ExemplarLevel& level, const Progress* progress) {
   });
   const auto known = static_cast<float>(std::ranges::count(level.kinds, Kind::kKnown));
   const float mean = rough.sum() / std::max(known, 1.f);
-  level.features.conservativeResize(Eigen::NoChange, channels + 1);
+  Features extended(surface.size(), channels + 1);
+  extended.leftCols(channels) = level.features;
   for (Index site = 0; site < surface.size(); ++site)
-    level.features(site, channels) = kRoughnessWeight * (isKnown(site) ? rough[site] : mean);
+    extended(site, channels) = kRoughnessWeight * (isKnown(site) ? rough[site] : mean);
+  level.features = std::move(extended);
 }
 
 ExemplarLevel makeFinestLevel(const Surround& surround, std::vector<Eigen::Matrix3f> frames,

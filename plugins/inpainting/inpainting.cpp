@@ -43,7 +43,8 @@ class Inpainting final : public Operator {
       .id = "inpainting",
       .title = "Inpainting",
       .help =
-          "Repairs what is painted over: solves div(A grad u) = 0 inside the mask with u given around it.",
+          "Repairs what is painted over, from what is around it: solves div(A grad u) = 0 inside the mask, "
+          "or continues textures (method exemplar).",
       .region = RegionUse::kMask,
       .parameters = inpaintingParameters(),
       .writes = {"<attribute>"},
