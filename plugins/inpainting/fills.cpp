@@ -30,18 +30,6 @@ SparseMatrix creaseStiffness(const Hole& hole, const Progress& progress) {
   return stiffness;
 }
 
-// Root mean square over the unknown sites and channels, in units of the known range of each channel.
-double changeOf(const Hole& hole, const Eigen::MatrixXd& before) {
-  const Eigen::RowVectorXd range = hole.greatest - hole.least;
-  double sum = 0;
-  for (const Index site : hole.unknown) {
-    for (Eigen::Index c = 0; c < range.size(); ++c) {
-      if (range[c] > 0) sum += std::pow((hole.values(site, c) - before(site, c)) / range[c], 2);
-    }
-  }
-  return std::sqrt(sum / static_cast<double>(std::max<Eigen::Index>(hole.unknown.size() * range.size(), 1)));
-}
-
 void clampToKnown(Hole& hole) {
   for (const Index site : hole.unknown)
     hole.values.row(site) = hole.values.row(site).cwiseMax(hole.least).cwiseMin(hole.greatest);
@@ -57,6 +45,17 @@ SolverOptions solverFor(const Hole& hole) {
 }
 
 }  // namespace
+
+double changeOf(const Hole& hole, const Eigen::MatrixXd& before) {
+  const Eigen::RowVectorXd range = hole.greatest - hole.least;
+  double sum = 0;
+  for (const Index site : hole.unknown) {
+    for (Eigen::Index c = 0; c < range.size(); ++c) {
+      if (range[c] > 0) sum += std::pow((hole.values(site, c) - before(site, c)) / range[c], 2);
+    }
+  }
+  return std::sqrt(sum / static_cast<double>(std::max<Eigen::Index>(hole.unknown.size() * range.size(), 1)));
+}
 
 HarmonicFill::HarmonicFill(Hole& hole, const Progress& progress) : solution_(hole.values) {
   const SparseMatrix stiffness = creaseStiffness(hole, progress);

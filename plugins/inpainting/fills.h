@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <variant>
 
 #include "core/pde/diffusion.h"
 #include "plugins/inpainting/hole.h"
@@ -53,6 +52,7 @@ class BiharmonicFill {
   std::optional<EllipticSolver> solver_;
 };
 
-using Fill = std::variant<HarmonicFill, TensorFill, BiharmonicFill>;
+/// Root mean square over the unknown sites and channels, in units of the known range of each channel.
+double changeOf(const Hole& hole, const Eigen::MatrixXd& before);
 
 }  // namespace stipple

@@ -19,10 +19,16 @@ std::vector<Parameter> inpaintingParameters() {
         .title = "Method",
         .type = ParameterType::kEnum,
         .defaultValue = "tensor",
-        .choices = {{"tensor", "Along edges"}, {"harmonic", "Harmonic"}, {"biharmonic", "Biharmonic"}},
+        .choices = {{"tensor", "Along edges"},
+                    {"harmonic", "Harmonic"},
+                    {"biharmonic", "Biharmonic"},
+                    {"exemplar", "Texture"}},
         .help = "tensor: edges of color run on, div(C A(u) grad u) = 0 with A small across them. harmonic: "
                 "div(C grad u) = 0, C small at creases, as in the paper. biharmonic: lap(lap u) = 0, smooth "
-                "across the rim, for shadings without edges."}});
+                "across the rim, for shadings without edges. exemplar: textures run on, each point takes the "
+                "value "
+                "of a known one nearby whose surroundings (37 places) look the same: least sum of squares "
+                "over all patches that overlap the mask."}});
 }
 
 class Inpainting final : public Operator {
@@ -37,7 +43,8 @@ class Inpainting final : public Operator {
       .id = "inpainting",
       .title = "Inpainting",
       .help =
-          "Repairs what is painted over: solves div(A grad u) = 0 inside the mask with u given around it.",
+          "Repairs what is painted over, from what is around it: solves div(A grad u) = 0 inside the mask, "
+          "or continues textures (method exemplar).",
       .region = RegionUse::kMask,
       .parameters = inpaintingParameters(),
       .writes = {"<attribute>"},

@@ -38,6 +38,9 @@ void InpaintingRun::prepare(Progress& progress) {
     case FillMethod::kBiharmonic:
       fill.emplace(std::in_place_type<BiharmonicFill>, *hole, progress);
       break;
+    case FillMethod::kExemplar:
+      fill.emplace(std::in_place_type<ExemplarFill>, snapshot_, attribute().name, region_, *hole, progress);
+      break;
   }
   hole_ = std::move(hole);
   fillUnreached(std::visit([](const auto& f) { return f.unreached(); }, *fill), progress);
@@ -90,6 +93,11 @@ Report InpaintingRun::report() const {
     report.warnings.push_back(fmt::format(
         "{} points are in parts of the mask that touch nothing known: they take the nearest known value",
         pointsWithoutRim_));
+  const ExemplarFill* exemplar = fill_ ? std::get_if<ExemplarFill>(&*fill_) : nullptr;
+  if (exemplar && exemplar->pointsWithoutSource() > 0)
+    report.warnings.push_back(
+        fmt::format("{} points have no whole patch of known values near: they are filled by method tensor",
+                    exemplar->pointsWithoutSource()));
   return report;
 }
 

@@ -3,13 +3,16 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "plugins/api/operator.h"
-#include "plugins/inpainting/fills.h"
+#include "plugins/inpainting/exemplar_fill.h"
 
 namespace stipple {
 
-enum class FillMethod { kTensor, kHarmonic, kBiharmonic };
+enum class FillMethod { kTensor, kHarmonic, kBiharmonic, kExemplar };
+
+using Fill = std::variant<HarmonicFill, TensorFill, BiharmonicFill, ExemplarFill>;
 
 /// The first step prepares the surface around the mask, too. Parameters that change start the run anew.
 class InpaintingRun final : public Run {

@@ -126,6 +126,40 @@ TEST(InpaintingScans, ColorsComeBackBetterThanFromTheNearestPoint) {
   }
 }
 
+// How much the colors of the rows differ from those of the 8 points around them: root mean square, of 255.
+double grainOf(const PointSet& points, std::span<const Index> rows) {
+  const Sites sites = weldAndOrder(points.positions());
+  const Neighborhoods nearest = findNeighborhoods(sites, {.k = 8});
+  const auto colors = points.values<Rgba8>("color");
+  const auto vectorOf = [&](Index row) {
+    return Eigen::Vector3d(colors[row].r, colors[row].g, colors[row].b);
+  };
+  double sum = 0;
+  for (const Index row : rows) {
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const Index site : nearest.of(sites.siteOfPoint[row])) mean += vectorOf(sites.pointOfSite[site]) / 8;
+    sum += (vectorOf(row) - mean).squaredNorm();
+  }
+  return std::sqrt(sum / static_cast<double>(rows.size()));
+}
+
+// Its skin changes from point to point: a fill that does not looks like a stain.
+TEST(InpaintingScans, ASkinKeepsItsGrain) {
+  STIPPLE_NEEDS_TEST_DATA();
+  Progress progress;
+  const PointSet whole = readPoints(testData("colour/ankylosaurus_mesh.ply"), progress).points;
+  const std::vector<Index> masked = tenDiscs(whole, 0.05f, 1);
+  PointSet damaged = whole;
+  for (const Index row : masked) damaged.edit<Rgba8>("color")[row] = {255, 255, 0, 255};
+  const double grain = grainOf(whole, masked);
+  const auto shareOf = [&](const char* method) {
+    return grainOf(inpaint(damaged, masked, {{"method", std::string(method)}}), masked) / grain;
+  };
+  EXPECT_GT(shareOf("exemplar"), 0.7);
+  EXPECT_LT(shareOf("exemplar"), 1.2);
+  EXPECT_LT(shareOf("tensor"), 0.3);
+}
+
 // Coarse, thin and sharp: scheme paper and the cotangents of its file are indefinite on it.
 TEST(InpaintingScans, EverySchemeFillsACasting) {
   STIPPLE_NEEDS_TEST_DATA();

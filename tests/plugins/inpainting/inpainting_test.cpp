@@ -68,7 +68,7 @@ TEST(Inpainting, TrousersDoNotBleedOntoTheLeg) {
 
 TEST(Inpainting, KnownPointsKeepTheirBits) {
   const Trousers trousers;
-  for (const char* method : {"tensor", "harmonic", "biharmonic"}) {
+  for (const char* method : {"tensor", "harmonic", "biharmonic", "exemplar"}) {
     PointSet filled = inpaint(trousers.points, trousers.masked, {{"method", std::string(method)}});
     for (const Index row : trousers.masked) {
       EXPECT_NE(filled.values<Rgba8>("color")[row], kBlack);
@@ -111,7 +111,7 @@ TEST(Inpainting, APartWithoutRimTakesTheNearestValueAndIsReported) {
     heights[row] = -7;
   }
   points.set("height", heights);
-  for (const char* method : {"tensor", "harmonic", "biharmonic"}) {
+  for (const char* method : {"tensor", "harmonic", "biharmonic", "exemplar"}) {
     Report report;
     const PointSet filled = inpaint(
         points, masked, {{"attribute", std::string("height")}, {"method", std::string(method)}}, &report);
@@ -216,7 +216,7 @@ TEST(Inpainting, DegenerateSetsEndQuietly) {
     PointSet points(positions);
     points.set("color", std::vector<Rgba8>(positions.size(), kSkin));
     points.edit<Rgba8>("color")[1] = kBlack;
-    for (const char* method : {"tensor", "harmonic", "biharmonic"})
+    for (const char* method : {"tensor", "harmonic", "biharmonic", "exemplar"})
       EXPECT_EQ(inpaint(points, {1}, {{"method", std::string(method)}}).values<Rgba8>("color")[1], kSkin);
   }
 }
