@@ -27,6 +27,8 @@ constexpr float kMostOfLarge = 4, kMostOfLargeAtRim = 1.5f;
 // Ratio of heights over widths of a fan from which it is no surface any more: discs shrink, up to dots for
 // single points above one.
 constexpr float kSteep = 0.9f, kScattered = 1.4f;
+// From this ratio on a fan lies across a crease.
+constexpr float kCreased = 0.6f;
 constexpr float kPlausible = 8;
 // Discs of a file just cover; ours also blend, and hide less than they blend.
 constexpr float kGivenOverlap = 1.2f;
@@ -74,8 +76,9 @@ SiteEstimate measureFan(const Sites& sites, const FanSet& set, Index site) {
   if (spokes.empty()) return {};
   const float dot = 0.5f * estimate.nearest;
   const float steep = steepness(sites, set.fans, site, set.normals[site]);
-  // Discs of different slopes part where they are seen at a grazing angle.
-  estimate.cover *= 1 + std::min(steep, 1.f);
+  // Discs of different slopes part where they are seen at a grazing angle. At creases larger ones would stand
+  // out.
+  estimate.cover *= 1 + std::max(0.f, std::min(steep, kCreased - steep));
   const float share = std::clamp((kScattered - steep) / (kScattered - kSteep), 0.f, 1.f);
   estimate.cover = std::max(dot + share * (estimate.cover - dot), std::min(dot, estimate.cover));
   if (!(estimate.cover > 0)) estimate.cover = dot;
