@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/fem/assembly.h"
-#include "plugins/texture_synthesis/chebyshev.h"
+#include "plugins/texture_synthesis/sweep_design.h"
 #include "plugins/texture_synthesis/sweep_kernel.h"
 
 namespace stipple {
@@ -25,7 +25,7 @@ struct PairFields {
   std::span<float> after;
 };
 
-/// Diffusion of two species at once by a Chebyshev iteration with the diagonal as preconditioner, in float.
+/// Diffusion of two species at once by a fixed polynomial in D^-1 A, D the diagonal, in float.
 /// Made for short time steps, where the state before is a good first guess and a few sweeps do. Same bits for
 /// any number of threads.
 class PairDiffusion {
@@ -61,7 +61,8 @@ class PairDiffusion {
   void fillDiagonal(Plan& plan) const;
   double largestEigenvalue(const Plan& plan, std::size_t lane) const;
   void requirePositive(const Plan& plan, const std::array<double, 2>& largest) const;
-  std::array<double, 2> remainder(const Plan& plan) const;
+  std::vector<SpectrumShare> spectrumOfChange(const Plan& plan, std::size_t lane) const;
+  void chooseSweeps(Plan& plan, const std::array<double, 2>& largest) const;
   void sweepAll(const SweepArguments& arguments) const;
 
   std::size_t sites_;

@@ -23,8 +23,7 @@ void sweepLanes(const SweepArguments& a, std::size_t begin, std::size_t end) {
       const std::size_t entry = kSlice * e + row % kSlice;
       spread += a.rows.weights[entry] * (now - a.now[2 * a.rows.columns[entry] + lane]);
     }
-    const float residual =
-        a.rows.mass[row] * (a.right[i] - a.mass[lane] * now) - a.stiffness[lane] * spread;
+    const float residual = a.rows.mass[row] * (a.right[i] - a.mass[lane] * now) - a.stiffness[lane] * spread;
     const float step = a.inverse[i] * (a.gain[lane] * residual);
     a.after[i] = now + (a.momentum[lane] * (now - a.before[i]) + step);
   }
