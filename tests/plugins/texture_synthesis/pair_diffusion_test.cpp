@@ -1,6 +1,7 @@
 #include "plugins/texture_synthesis/pair_diffusion.h"
 
 #include <gtest/gtest.h>
+#include <hwy/highway.h>
 
 #include <Eigen/SparseCholesky>
 #include <cmath>
@@ -147,6 +148,23 @@ TEST(PairDiffusion, SweepsLeaveLittleOfAUniformChange) {
       area += problem.discretization.mass[row];
     }
     EXPECT_LT(std::sqrt(left / area), 0.05) << share;
+  }
+}
+
+TEST(PairDiffusion, SameBitsOnEveryInstructionSet) {
+  const Problem problem = makeProblem(501);
+  PairDiffusion diffusion(problem.stiffness, problem.discretization.mass, problem.spacing);
+  const double h2 = problem.spacing * problem.spacing;
+  const PairTerms terms = {.mass = {1, 1.2}, .stiffness = {0.3 * h2, 3 * h2}};
+  const std::vector<float> guess(problem.right.rbegin(), problem.right.rend());
+  std::vector<float> best = guess;
+  solve(diffusion, terms, problem.right, best);
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::SetSupportedTargetsForTest(target);
+    std::vector<float> u = guess;
+    solve(diffusion, terms, problem.right, u);
+    hwy::SetSupportedTargetsForTest(0);
+    EXPECT_EQ(u, best) << hwy::TargetName(target);
   }
 }
 
