@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "core/error.h"
 
@@ -9,149 +10,253 @@ namespace stipple {
 
 namespace {
 
-constexpr std::size_t kBlock = 4096;
-// The residual of a step falls to this share, and what is left acts in the next step: patterns have the same
-// number of spots within 1 % from here to 1e-4. A bound relative to the values themselves would stop slow
-// growth.
-constexpr double kTolerance = 3e-2;
-constexpr int kMostIterations = 400;
+constexpr std::size_t kSlice = SlicedRows::kSlice;
+constexpr std::size_t kBlock = 2048;  // sites; a multiple of a slice
+// A step leaves this share of a uniform change, and what is left acts in the next step. With the least number
+// of sweeps patterns grow as close to those of exact solves as with conjugate gradients to 3e-2: two sweeps
+// miss the neutral mode of stripes. A bound relative to the values themselves would stop slow growth.
+constexpr double kTolerance = 5e-2;
+constexpr int kLeastSweeps = 3, kMostSweeps = 400;
+// Weight of all that is rougher than the change of a step, relative to that change.
+constexpr double kRoughShare = 0.01;
+constexpr const char* kIndefinite =
+    "the matrix of this scheme is not positive definite on these points; take scheme voronoi";
 
-void add(Pair value, std::array<double, 2>& sum) {
-  sum[0] += static_cast<double>(value[0]);
-  sum[1] += static_cast<double>(value[1]);
-}
+using LaneSum = std::array<double, 2>;
 
-}  // namespace
-
-PairDiffusion::PairDiffusion(const SparseMatrix& stiffness, std::span<const double> mass, double spacing)
-    : squaredSpacing_(spacing * spacing) {
-  const auto rows = static_cast<std::size_t>(stiffness.rows());
-  offsets_.reserve(rows + 1);
-  offsets_.push_back(0);
-  for (std::size_t row = 0; row < rows; ++row) {
-    double diagonal = 0;
-    for (SparseMatrix::InnerIterator entry(stiffness, static_cast<Eigen::Index>(row)); entry; ++entry) {
-      if (static_cast<std::size_t>(entry.col()) == row || entry.value() == 0) continue;
-      columns_.push_back(static_cast<Index>(entry.col()));
-      weights_.push_back(static_cast<float>(-entry.value()));
-      diagonal -= entry.value();
+// Sums of squared changes. In float over as many sites as stay exact enough, in a fixed order.
+LaneSum squaredChange(std::span<const float> before, std::span<const float> after, std::size_t begin,
+                      std::size_t end) {
+  constexpr std::size_t kChunk = 64, kLanes = 8;
+  LaneSum sum{};
+  for (std::size_t chunk = 2 * begin; chunk < 2 * end; chunk += kChunk) {
+    float squares[kLanes] = {};
+    for (std::size_t i = chunk; i < std::min(chunk + kChunk, 2 * end); i += kLanes) {
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        const float change = after[i + lane] - before[i + lane];
+        squares[lane] += change * change;
+      }
     }
-    if (columns_.size() % 2 != 0) {
-      columns_.push_back(static_cast<Index>(row));
-      weights_.push_back(0);
-    }
-    offsets_.push_back(static_cast<Index>(columns_.size()));
-    diagonal_.push_back(static_cast<float>(std::max(diagonal, 0.0)));
-    mass_.push_back(static_cast<float>(mass[row] / squaredSpacing_));
+    for (std::size_t lane = 0; lane < kLanes; ++lane) sum[lane % 2] += static_cast<double>(squares[lane]);
   }
-  residual_.resize(rows);
-  direction_.resize(rows);
-  image_.resize(rows);
-  inverse_.resize(rows);
-  partial_.resize((rows + kBlock - 1) / kBlock);
+  return sum;
 }
 
-template <class Block>
-PairDiffusion::PairSum PairDiffusion::sumBlocks(const Block& block) {
-  parallelFor(mass_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    partial_[begin / kBlock] = block(static_cast<Index>(begin), static_cast<Index>(end));
-  });
-  PairSum sum{};
-  for (const PairSum& part : partial_) {
+LaneSum addAll(std::span<const LaneSum> parts) {
+  LaneSum sum{};
+  for (const LaneSum& part : parts) {
     sum[0] += part[0];
     sum[1] += part[1];
   }
   return sum;
 }
 
-// L u at a row; differences first, so that no digits go in constants. Two entries at a time: rows hold an
-// even number, which leaves few lengths to mispredict and two sums that do not wait for each other.
-inline Pair PairDiffusion::spread(Index row, const Pair* values) const {
-  const Pair own = values[row];
-  Pair even{}, odd{};
-  for (Index e = offsets_[row]; e < offsets_[row + 1]; e += 2) {
-    even += weights_[e] * (own - values[columns_[e]]);
-    odd += weights_[e + 1] * (own - values[columns_[e + 1]]);
-  }
-  return even + odd;
+void keepPositive(std::span<float> values) {
+  for (float& value : values) value = std::max(value, 0.f);
 }
 
-PairDiffusion::PairSum PairDiffusion::findResidual(const Scaled& terms, std::span<const Pair> right,
-                                                   std::span<const Pair> u) {
-  return sumBlocks([&](Index begin, Index end) {
-    PairSum sum{};
-    for (Index i = begin; i < end; ++i) {
-      inverse_[i] = 1 / (terms.mass * mass_[i] + terms.stiffness * diagonal_[i]);
-      residual_[i] = mass_[i] * (right[i] - terms.mass * u[i]) - terms.stiffness * spread(i, u.data());
-      direction_[i] = residual_[i] * inverse_[i];
-      add(residual_[i] * direction_[i], sum);
-    }
-    return sum;
-  });
-}
+}  // namespace
 
-PairDiffusion::PairSum PairDiffusion::applyToDirection(const Scaled& terms) {
-  return sumBlocks([&](Index begin, Index end) {
-    PairSum sum{};
-    for (Index i = begin; i < end; ++i) {
-      image_[i] = mass_[i] * terms.mass * direction_[i] + terms.stiffness * spread(i, direction_.data());
-      add(image_[i] * direction_[i], sum);
-    }
-    return sum;
-  });
-}
-
-PairDiffusion::PairSum PairDiffusion::advance(Pair alpha, std::span<Pair> u) {
-  return sumBlocks([&](Index begin, Index end) {
-    PairSum sum{};
-    for (Index i = begin; i < end; ++i) {
-      u[i] += alpha * direction_[i];
-      residual_[i] -= alpha * image_[i];
-      add(residual_[i] * residual_[i] * inverse_[i], sum);
-    }
-    return sum;
-  });
-}
-
-void PairDiffusion::turnDirection(Pair beta) {
-  parallelFor(mass_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      direction_[i] = residual_[i] * inverse_[i] + beta * direction_[i];
-    }
-  });
-}
-
-int PairDiffusion::solve(const PairTerms& terms, std::span<const Pair> right, std::span<Pair> u) {
-  Scaled scaled{};
-  for (std::size_t lane = 0; lane < 2; ++lane) {
-    scaled.mass[lane] = static_cast<float>(terms.mass[lane]);
-    scaled.stiffness[lane] = static_cast<float>(terms.stiffness[lane] / squaredSpacing_);
-  }
-  PairSum energy = findResidual(scaled, right, u);
-  if (!std::isfinite(energy[0] + energy[1])) throw SolverError("the concentrations grew beyond all bounds");
-  const PairSum enough = {energy[0] * kTolerance * kTolerance, energy[1] * kTolerance * kTolerance};
-  int iterations = 0;
-  while ((energy[0] > enough[0] || energy[1] > enough[1]) && iterations < kMostIterations) {
-    const PairSum curvature = applyToDirection(scaled);
-    Pair alpha{}, beta{};
-    for (std::size_t lane = 0; lane < 2; ++lane) {
-      // A species that is done rests while the other goes on.
-      if (energy[lane] <= enough[lane]) continue;
-      if (!(curvature[lane] > 0)) {
-        throw SolverError(
-            "the matrix of this scheme is not positive definite on these points; take scheme voronoi");
+PairDiffusion::PairDiffusion(const SparseMatrix& stiffness, std::span<const double> mass, double spacing)
+    : sites_(static_cast<std::size_t>(stiffness.rows())), squaredSpacing_(spacing * spacing) {
+  const std::size_t slices = (sites_ + kSlice - 1) / kSlice;
+  for (auto* values : {&mass_, &diagonal_, &magnitude_}) values->assign(kSlice * slices, 0);
+  scratch_.assign(2 * kSlice * slices, 0);
+  starts_.push_back(0);
+  for (std::size_t slice = 0; slice < slices; ++slice) {
+    const std::size_t begin = kSlice * slice, end = std::min(begin + kSlice, sites_);
+    std::size_t length = 0;
+    for (std::size_t row = begin; row < end; ++row) {
+      const auto outer = static_cast<Eigen::Index>(row);
+      std::size_t entries = 0;
+      for (SparseMatrix::InnerIterator entry(stiffness, outer); entry; ++entry) {
+        if (entry.col() != outer && entry.value() != 0) ++entries;
       }
-      alpha[lane] = static_cast<float>(energy[lane] / curvature[lane]);
+      length = std::max(length, entries);
     }
-    const PairSum next = advance(alpha, u);
-    ++iterations;
-    for (std::size_t lane = 0; lane < 2; ++lane) {
-      if (energy[lane] > 0) beta[lane] = static_cast<float>(next[lane] / energy[lane]);
+    const std::size_t start = kSlice * starts_.back();
+    starts_.push_back(starts_.back() + static_cast<Index>(length));
+    columns_.resize(start + kSlice * length, 0);
+    weights_.resize(start + kSlice * length, 0);
+    for (std::size_t row = begin; row < end; ++row) {
+      const auto outer = static_cast<Eigen::Index>(row);
+      std::size_t place = start + (row - begin);
+      double sum = 0, magnitude = 0;
+      for (SparseMatrix::InnerIterator entry(stiffness, outer); entry; ++entry) {
+        if (entry.col() == outer || entry.value() == 0) continue;
+        columns_[place] = static_cast<Index>(entry.col());
+        weights_[place] = static_cast<float>(-entry.value());
+        sum -= entry.value();
+        magnitude += std::abs(entry.value());
+        place += kSlice;
+      }
+      for (; place < columns_.size(); place += kSlice) columns_[place] = static_cast<Index>(row);
+      diagonal_[row] = static_cast<float>(sum);
+      magnitude_[row] = static_cast<float>(magnitude);
+      mass_[row] = static_cast<float>(mass[row] / squaredSpacing_);
     }
-    energy = next;
-    if (energy[0] > enough[0] || energy[1] > enough[1]) turnDirection(beta);
   }
-  return iterations;
+}
+
+SweepArguments PairDiffusion::argumentsOf(const PairTerms& terms) const {
+  SweepArguments arguments{};
+  arguments.rows = {starts_.data(), columns_.data(), weights_.data(), mass_.data()};
+  for (std::size_t lane = 0; lane < 2; ++lane) {
+    arguments.mass[lane] = static_cast<float>(terms.mass[lane]);
+    arguments.stiffness[lane] = static_cast<float>(terms.stiffness[lane] / squaredSpacing_);
+  }
+  return arguments;
+}
+
+void PairDiffusion::fillDiagonal(Plan& plan) const {
+  const SweepArguments arguments = argumentsOf(plan.terms);
+  plan.inverse.assign(2 * paddedSites(), 0);
+  for (std::size_t i = 0; i < 2 * sites_; ++i) {
+    const std::size_t row = i / 2, lane = i % 2;
+    plan.inverse[i] =
+        1 / (arguments.mass[lane] * mass_[row] + arguments.stiffness[lane] * std::max(diagonal_[row], 0.f));
+  }
+}
+
+// Gershgorin's bound for D^-1 (mass M + stiffness L).
+double PairDiffusion::largestEigenvalue(const Plan& plan, std::size_t lane) const {
+  const SweepArguments arguments = argumentsOf(plan.terms);
+  const float mass = arguments.mass[lane], stiffness = arguments.stiffness[lane];
+  float largest = 0;
+  for (std::size_t row = 0; row < sites_; ++row) {
+    const float reach =
+        std::abs(mass * mass_[row] + stiffness * diagonal_[row]) + stiffness * magnitude_[row];
+    largest = std::max(largest, reach * plan.inverse[2 * row + lane]);
+  }
+  return static_cast<double>(largest);
+}
+
+void PairDiffusion::sweepAll(const SweepArguments& arguments) const {
+  parallelFor(paddedSites(), kBlock, [&](std::size_t begin, std::size_t end) {
+    sweepSlices(arguments, begin / kSlice, end / kSlice);
+  });
+}
+
+// With negative weights an eigenvalue of D^-1 A may be negative; then I - 2 / largest D^-1 A stretches some
+// vector, and its powers turn any vector there.
+void PairDiffusion::requirePositive(const Plan& plan, const LaneSum& largest) const {
+  const bool isDominated =
+      std::equal(magnitude_.begin(), magnitude_.end(), diagonal_.begin(),
+                 [](float magnitude, float diagonal) { return magnitude <= 1.001f * diagonal; });
+  if (isDominated) return;
+  constexpr int kPowers = 50;
+  constexpr double kRounding = 1e-4;
+  SweepArguments arguments = argumentsOf(plan.terms);
+  for (std::size_t lane = 0; lane < 2; ++lane) arguments.gain[lane] = static_cast<float>(2 / largest[lane]);
+  const std::vector<float> zero(2 * paddedSites(), 0);
+  std::vector<float> now = zero, after = zero;
+  std::mt19937 random(1);
+  for (std::size_t i = 0; i < 2 * sites_; ++i) now[i] = static_cast<float>(random()) * 0x1p-31f - 1;
+  const auto squaredNorm = [&](std::span<const float> v) {
+    LaneSum sum{};
+    for (std::size_t i = 0; i < 2 * sites_; ++i) {
+      sum[i % 2] += static_cast<double>(v[i] * v[i]) / static_cast<double>(plan.inverse[i]);
+    }
+    return sum;
+  };
+  arguments.inverse = plan.inverse.data();
+  arguments.right = zero.data();
+  LaneSum norm = squaredNorm(now);
+  for (int power = 0; power < kPowers; ++power) {
+    arguments.before = arguments.now = now.data();
+    arguments.after = after.data();
+    sweepAll(arguments);
+    const LaneSum next = squaredNorm(after);
+    for (std::size_t lane = 0; lane < 2; ++lane) {
+      if (!(next[lane] <= norm[lane] * (1 + kRounding))) throw SolverError(kIndefinite);
+    }
+    norm = next;
+    now.swap(after);
+  }
+}
+
+// Of a uniform change, over the area: D^-1 A is mass M / D there. Collected into bins of eigenvalues.
+std::vector<SpectrumShare> PairDiffusion::spectrumOfChange(const Plan& plan, std::size_t lane) const {
+  constexpr std::size_t kBins = 64;
+  constexpr double kBinsOfOctave = 4;
+  const float mass = argumentsOf(plan.terms).mass[lane];
+  std::array<double, kBins> weights{};
+  double area = 0;
+  for (std::size_t row = 0; row < sites_; ++row) {
+    const auto value = static_cast<double>(mass * mass_[row] * plan.inverse[2 * row + lane]);
+    const double bin = std::clamp(std::round(-kBinsOfOctave * std::log2(value)), 0.0, kBins - 1.0);
+    weights[static_cast<std::size_t>(bin)] += static_cast<double>(mass_[row]);
+    area += static_cast<double>(mass_[row]);
+  }
+  std::vector<SpectrumShare> shares;
+  for (std::size_t bin = 0; bin < kBins; ++bin) {
+    if (weights[bin] > 0) {
+      shares.push_back({std::exp2(-static_cast<double>(bin) / kBinsOfOctave), weights[bin] / area});
+    }
+  }
+  return shares;
+}
+
+void PairDiffusion::chooseSweeps(Plan& plan, const LaneSum& largest) const {
+  std::array<std::vector<SpectrumShare>, 2> change, all;
+  for (std::size_t lane = 0; lane < 2; ++lane) {
+    change[lane] = all[lane] = spectrumOfChange(plan, lane);
+    addRoughShares(all[lane], largest[lane], kRoughShare);
+  }
+  for (int count = kLeastSweeps; count <= kMostSweeps; count += 1 + count / 8) {
+    bool isStable = true, isEnough = true;
+    for (std::size_t lane = 0; lane < 2; ++lane) {
+      plan.sweeps[lane] = designSweeps(all[lane], count);
+      isStable = isStable && isDamping(plan.sweeps[lane], largest[lane]);
+      isEnough = isEnough && remainderOf(plan.sweeps[lane], change[lane]) <= kTolerance;
+    }
+    if (isStable && isEnough) return;
+  }
+  throw SolverError("diffusion over so many points in a step is too much; take a smaller size or time step");
+}
+
+PairDiffusion::Plan PairDiffusion::plan(const PairTerms& terms) const {
+  Plan plan;
+  plan.terms = terms;
+  fillDiagonal(plan);
+  const LaneSum largest = {largestEigenvalue(plan, 0), largestEigenvalue(plan, 1)};
+  requirePositive(plan, largest);
+  chooseSweeps(plan, largest);
+  return plan;
+}
+
+PairDiffusion::Outcome PairDiffusion::solve(const Plan& plan, const PairFields& fields,
+                                            const std::function<void(std::size_t, std::size_t)>& react) {
+  const std::size_t count = plan.sweeps[0].size();
+  SweepArguments arguments = argumentsOf(plan.terms);
+  arguments.inverse = plan.inverse.data();
+  arguments.right = fields.right.data();
+  arguments.now = arguments.before = fields.before.data();
+  std::vector<LaneSum> parts((paddedSites() + kBlock - 1) / kBlock);
+  for (std::size_t sweep = 0; sweep < count; ++sweep) {
+    for (std::size_t lane = 0; lane < 2; ++lane) {
+      arguments.momentum[lane] = static_cast<float>(plan.sweeps[lane][sweep].momentum);
+      arguments.gain[lane] = static_cast<float>(plan.sweeps[lane][sweep].gain);
+    }
+    const bool isFirst = sweep == 0, isLast = sweep + 1 == count;
+    std::span<float> after = (count - sweep) % 2 == 1 ? fields.after : std::span<float>(scratch_);
+    arguments.after = after.data();
+    parallelFor(paddedSites(), kBlock, [&](std::size_t begin, std::size_t end) {
+      if (isFirst) react(begin, std::min(end, sites_));
+      sweepSlices(arguments, begin / kSlice, end / kSlice);
+      if (isLast) keepPositive(after.subspan(2 * begin, 2 * (end - begin)));
+      if (isFirst || isLast) parts[begin / kBlock] = squaredChange(fields.before, after, begin, end);
+    });
+    if (isFirst && addAll(parts) == LaneSum{}) {
+      std::copy(fields.before.begin(), fields.before.end(), fields.after.begin());
+      return {};
+    }
+    arguments.before = arguments.now;
+    arguments.now = after.data();
+  }
+  const LaneSum change = addAll(parts);
+  if (!std::isfinite(change[0] + change[1])) throw SolverError("the concentrations grew beyond all bounds");
+  return {.sweeps = static_cast<int>(count), .squaredChange = change};
 }
 
 }  // namespace stipple

@@ -15,7 +15,6 @@ namespace stipple {
 namespace {
 
 constexpr std::array kSpeciesNames = {"species_a", "species_b", "species_c", "species_d", "species_e"};
-constexpr std::size_t kBlock = 4096;
 
 // A wave on fewer points than this is no wave; below the second number it is rough.
 constexpr double kLeastPointsOfWave = 4, kFairPointsOfWave = 8;
@@ -68,10 +67,11 @@ void TextureRun::prepare(Progress& progress) {
   }
   if (!isGuided_) {
     guideDiffusion(*surface_, snapshot_, {options_.sizeBy, options_.directionBy}, &progress);
+    plans_.clear();
     isGuided_ = true;
   }
   if (!isScaled_) scale();
-  if (species_.empty()) begin(progress);
+  if (fields_.empty()) begin(progress);
 }
 
 // Wanted size to the unit of length of the published systems.
@@ -89,6 +89,8 @@ void TextureRun::scale() {
                     surface_->area, std::sqrt(2 * surface_->area / std::sqrt(3))));
   }
   cell_ = size_ / per.cells;
+  pairs_ = std::visit([](const auto& reaction) { return reaction.pairs(); }, system_.reaction);
+  planSolves();
   isScaled_ = true;
 }
 
@@ -112,81 +114,97 @@ void TextureRun::begin(const Progress& progress) {
       species[1][site] = kPatchB;
     }
   }
-  right_.resize(sites.size());
-  next_.resize(sites.size());
-  species_ = std::move(species);
-  if (options_.resume) readSpecies();
+  if (options_.resume) readSpecies(species);
+  pack(species);
 }
 
-void TextureRun::readSpecies() {
-  for (std::size_t s = 0; s < species_.size(); ++s) {
-    species_[s] = gatherToSites(surface_->discretization.sites, snapshot_.values<float>(kSpeciesNames[s]));
-    for (std::size_t site = 0; site < species_[s].size(); ++site) {
-      float& value = species_[s][site];
+void TextureRun::readSpecies(std::vector<std::vector<float>>& species) const {
+  for (std::size_t s = 0; s < species.size(); ++s) {
+    species[s] = gatherToSites(surface_->discretization.sites, snapshot_.values<float>(kSpeciesNames[s]));
+    for (float& value : species[s]) {
       if (!std::isfinite(value)) value = system_.steady[s];
     }
   }
 }
 
-// Right-hand sides of a pair at all sites, and the state before as first guess.
-void TextureRun::reactAll(std::size_t number) {
+void TextureRun::pack(const std::vector<std::vector<float>>& species) {
+  const std::size_t room = 2 * surface_->diffusion->paddedSites();
+  right_.assign(room, 0);
+  next_.assign(room, 0);
+  std::vector<std::vector<float>> fields;
+  if (species.size() == 5) still_ = species[2];
+  for (const DiffusingPair& pair : pairs_) {
+    std::vector<float>& field = fields.emplace_back(room, 0.f);
+    for (std::size_t i = 0; i < 2 * beta_.size(); ++i) {
+      field[i] = species[static_cast<std::size_t>(pair.species[i % 2])][i / 2];
+    }
+  }
+  fields_ = std::move(fields);
+}
+
+std::vector<float> TextureRun::speciesAt(std::size_t species) const {
+  for (std::size_t p = 0; p < pairs_.size(); ++p) {
+    for (std::size_t lane = 0; lane < 2; ++lane) {
+      if (static_cast<std::size_t>(pairs_[p].species[lane]) != species) continue;
+      std::vector<float> values(beta_.size());
+      for (std::size_t i = 0; i < values.size(); ++i) values[i] = fields_[p][2 * i + lane];
+      return values;
+    }
+  }
+  return still_;
+}
+
+void TextureRun::planSolves() {
+  const double dt = timeStep();
+  plans_.resize(pairs_.size());
+  for (std::size_t p = 0; p < pairs_.size(); ++p) {
+    PairTerms terms;
+    for (std::size_t lane = 0; lane < 2; ++lane) {
+      terms.mass[lane] = 1 + dt * pairs_[p].decay[lane];
+      terms.stiffness[lane] = dt * pairs_[p].diffusion[lane] * cell_ * cell_;
+    }
+    if (plans_[p].inverse.empty() || plans_[p].terms != terms) plans_[p] = surface_->diffusion->plan(terms);
+  }
+}
+
+// Right-hand sides of a pair.
+void TextureRun::react(std::size_t number, std::size_t begin, std::size_t end) {
   const auto dt = static_cast<float>(timeStep());
+  const float *first = fields_.front().data(), *second = fields_.back().data(), *beta = beta_.data();
+  float *still = still_.data(), *right = right_.data();
   std::visit(
       [&](const auto& reaction) {
-        constexpr auto kSpecies = static_cast<std::size_t>(std::decay_t<decltype(reaction)>::kSpecies);
-        const DiffusingPair pair = reaction.pairs()[number];
-        const auto first = static_cast<std::size_t>(pair.species[0]), second = first + 1;
-        parallelFor(beta_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-          for (std::size_t i = begin; i < end; ++i) {
-            std::array<float, kSpecies> u;
-            for (std::size_t s = 0; s < kSpecies; ++s) u[s] = species_[s][i];
-            const auto right = reaction.react(number, dt, beta_[i], u.data());
-            right_[i] = Pair{right[0], right[1]};
-            next_[i] = Pair{u[first], u[second]};
-            if constexpr (kSpecies == 5) species_[2][i] = u[2];
+        for (std::size_t i = begin; i < end; ++i) {
+          std::array<float, 2> rates;
+          if constexpr (std::decay_t<decltype(reaction)>::kSpecies == 5) {
+            float u[] = {first[2 * i], first[2 * i + 1], still[i], second[2 * i], second[2 * i + 1]};
+            rates = reaction.react(number, dt, beta[i], u);
+            still[i] = u[2];
+          } else {
+            float u[] = {first[2 * i], first[2 * i + 1]};
+            rates = reaction.react(number, dt, beta[i], u);
           }
-        });
+          right[2 * i] = rates[0];
+          right[2 * i + 1] = rates[1];
+        }
       },
       system_.reaction);
 }
 
-// Sum of the squared changes of the species shown, where it is one of the pair.
-double TextureRun::advancePair(const DiffusingPair& pair, std::size_t number) {
-  reactAll(number);
-  const double dt = timeStep();
-  PairTerms terms;
-  for (std::size_t lane = 0; lane < 2; ++lane) {
-    terms.mass[lane] = 1 + dt * pair.decay[lane];
-    terms.stiffness[lane] = dt * pair.diffusion[lane] * cell_ * cell_;
-  }
-  iterations_ += surface_->diffusion->solve(terms, right_, next_);
-  const auto first = static_cast<std::size_t>(pair.species[0]), second = first + 1;
-  const auto shown = static_cast<std::size_t>(system_.shown);
-  return parallelSum(beta_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    double sum = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-      // Concentrations; only an unfinished solve or a strong reaction reaches below 0.
-      const Pair value{std::max(next_[i][0], 0.f), std::max(next_[i][1], 0.f)};
-      if (shown == first || shown == second) {
-        const double change = static_cast<double>(value[shown == first ? 0 : 1] - species_[shown][i]);
-        sum += change * change;
-      }
-      species_[first][i] = value[0];
-      species_[second][i] = value[1];
-    }
-    return sum;
-  });
-}
-
+// Root mean square of the changes of the species shown.
 double TextureRun::advance() {
   double squaredChange = 0;
-  const std::vector<DiffusingPair> pairs =
-      std::visit([](const auto& reaction) { return reaction.pairs(); }, system_.reaction);
-  for (std::size_t number = 0; number < pairs.size(); ++number)
-    squaredChange += advancePair(pairs[number], number);
-  const double change = std::sqrt(squaredChange / static_cast<double>(beta_.size()));
-  if (!std::isfinite(change)) throw SolverError("the concentrations grew beyond all bounds");
-  return change;
+  for (std::size_t p = 0; p < pairs_.size(); ++p) {
+    const PairDiffusion::Outcome outcome =
+        surface_->diffusion->solve(plans_[p], {.right = right_, .before = fields_[p], .after = next_},
+                                   [&](std::size_t begin, std::size_t end) { react(p, begin, end); });
+    fields_[p].swap(next_);
+    sweeps_ += outcome.sweeps;
+    for (std::size_t lane = 0; lane < 2; ++lane) {
+      if (pairs_[p].species[lane] == system_.shown) squaredChange += outcome.squaredChange[lane];
+    }
+  }
+  return std::sqrt(squaredChange / static_cast<double>(beta_.size()));
 }
 
 StepState TextureRun::step(Progress& progress) {
@@ -233,12 +251,12 @@ RunResult TextureRun::result() const {
   RunResult result{.points = snapshot_};
   if (steps_ == 0) return result;
   const Sites& sites = surface_->discretization.sites;
-  for (std::size_t s = 0; s < species_.size(); ++s) {
-    result.points.set(kSpeciesNames[s], scatterToPoints<float>(sites, species_[s]));
+  for (std::size_t s = 0; s < system_.steady.size(); ++s) {
+    result.points.set(kSpeciesNames[s], scatterToPoints<float>(sites, speciesAt(s)));
   }
   if (options_.color) {
     const std::vector<float> shares =
-        figureShares(species_[static_cast<std::size_t>(system_.shown)], system_.figureIsHigh);
+        figureShares(speciesAt(static_cast<std::size_t>(system_.shown)), system_.figureIsHigh);
     const std::vector<Rgba8> colors = blendColors(shares, options_.ground, options_.figure);
     result.points.set("color", scatterToPoints<Rgba8>(sites, colors));
   }
@@ -255,7 +273,7 @@ Report TextureRun::report() const {
                    {"points_of_wave", pointsOfWave},
                    {"area", surface_->area},
                    {"time_step", timeStep()},
-                   {"solver_iterations", static_cast<double>(iterations_) / steps_}};
+                   {"sweeps", static_cast<double>(sweeps_) / steps_}};
   if (system_.patchSize == 0) report.values.emplace_back("growth", findModes(system_, timeStep()).growth);
   if (pointsOfWave < kFairPointsOfWave) {
     report.warnings.push_back(

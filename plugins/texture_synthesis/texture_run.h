@@ -26,11 +26,13 @@ class TextureRun final : public Run {
  private:
   void prepare(Progress& progress);
   void begin(const Progress& progress);
-  void readSpecies();
+  void readSpecies(std::vector<std::vector<float>>& species) const;
+  void pack(const std::vector<std::vector<float>>& species);
+  std::vector<float> speciesAt(std::size_t species) const;
   void scale();
+  void planSolves();
   double advance();
-  double advancePair(const DiffusingPair& pair, std::size_t number);
-  void reactAll(std::size_t number);
+  void react(std::size_t number, std::size_t begin, std::size_t end);
   int stepsWanted() const { return options_.steps > 0 ? options_.steps : system_.steps; }
   double timeStep() const { return options_.timeStep > 0 ? options_.timeStep : system_.timeStep; }
   bool goesOnWith(const Parameters& parameters) const;
@@ -44,10 +46,13 @@ class TextureRun final : public Run {
   bool isGuided_ = false, isScaled_ = false;
   double size_ = 0, cell_ = 0;  // wanted distance; ell, the unit of the published systems; length
   std::vector<float> beta_;     // of sites
-  std::vector<std::vector<float>> species_;
-  std::vector<Pair> right_, next_;
+  std::vector<DiffusingPair> pairs_;
+  std::vector<PairDiffusion::Plan> plans_;  // of pairs
+  std::vector<std::vector<float>> fields_;  // of pairs: the state, two species side by side
+  std::vector<float> still_;                // the species that does not diffuse
+  std::vector<float> right_, next_;         // fields
   int steps_ = 0;
-  std::int64_t iterations_ = 0;
+  std::int64_t sweeps_ = 0;
 };
 
 }  // namespace stipple
