@@ -13,7 +13,6 @@ namespace stipple {
 
 namespace {
 
-constexpr std::size_t kGrain = 1024;
 // Two of a hundred of the spacing count as flat: below that, rounding and slight curvature decide nothing.
 constexpr float kFlatness = 0.02f;
 // A site lies on a plane within two standard deviations of the noise.
@@ -74,23 +73,6 @@ Choice choosePlane(const Sites& sites, Index site, std::span<const Index> neighb
     }
   }
   return {best, squaredSpacing};
-}
-
-// body(site, neighbors, squaredDistances) for all sites; neighborhoods never stand in memory as a whole.
-template <class Body>
-void forNeighborhoods(const Sites& sites, const NeighborSearch& search, int k, const Progress* progress,
-                      const Body& body) {
-  parallelFor(
-      sites.size(), kGrain,
-      [&](std::size_t begin, std::size_t end) {
-        Neighborhoods rows;
-        search.findNearest(static_cast<Index>(begin), static_cast<Index>(end), k, rows);
-        for (auto site = static_cast<Index>(begin); site < end; ++site) {
-          const auto row = static_cast<Index>(site - begin);
-          body(site, rows.of(row), rows.squaredDistancesOf(row));
-        }
-      },
-      progress);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "core/geometry/moments.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -38,6 +40,17 @@ std::vector<Moments> fitMoments(const Sites& sites, const Neighborhoods& neighbo
         }
       },
       progress);
+  return moments;
+}
+
+std::vector<Moments> fitMoments(const Sites& sites, int k, const Progress* progress) {
+  if (k < 1) throw InvalidInput(fmt::format("k is {}, expected at least 1", k));
+  requireUsableScale(sites);
+  std::vector<Moments> moments(sites.size());
+  forNeighborhoods(sites, NeighborSearch(sites.positions, k), k, progress,
+                   [&](Index site, std::span<const Index> neighbors, std::span<const float> squared) {
+                     moments[site] = fitOne(sites, site, neighbors, squared);
+                   });
   return moments;
 }
 

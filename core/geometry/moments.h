@@ -19,6 +19,8 @@ struct Moments {
 
 std::vector<Moments> fitMoments(const Sites& sites, const Neighborhoods& neighborhoods,
                                 const Progress* progress = nullptr);
+/// Of the k >= 1 nearest neighbors, which are not kept. Throws InvalidInput.
+std::vector<Moments> fitMoments(const Sites& sites, int k, const Progress* progress = nullptr);
 
 /// C = 1 / (1 + 1e4 s^2), s = |M0 - x| l2 / (eps l0): in (0, 1], 1 where flat, small at creases (Eq. (12)
 /// with G(0) = 1). Scale invariant. 1 where the neighborhood is degenerate (fewer than 3 neighbors, l0 = 0).

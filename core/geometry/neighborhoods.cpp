@@ -8,6 +8,7 @@
 #include <limits>
 #include <mutex>
 #include <nanoflann.hpp>
+#include <numeric>
 
 #include "core/geometry/cell_index.h"
 #include "core/geometry/nearest_kernel.h"
@@ -36,7 +37,8 @@ float squaredDistanceOf(NeighborKey key) {
 struct Scratch {
   std::vector<float> x, y, z, squaredDistances, packed;
   std::vector<Index> sites, slots;
-  std::vector<NeighborKey> keys;
+  std::vector<NeighborKey> keys, spread;
+  std::vector<std::uint32_t> starts;
 
   void gather(std::span<const Eigen::Vector3f> positions, const CellIndex::Block& block) {
     const std::size_t room = block.points + CandidateArrays::kPadding;
@@ -73,6 +75,33 @@ float thresholdFor(const float* values, std::size_t count, std::size_t k, float 
   return high;
 }
 
+// Ascending. The squared distances of a surface's points to one of them are spread evenly up to `most`: with
+// as many buckets as keys few share one.
+void sortKeys(Scratch& s, float most) {
+  constexpr std::size_t kFew = 12;
+  constexpr std::uint32_t kCrowd = 16;
+  const std::size_t count = s.keys.size();
+  const float perBucket = static_cast<float>(count) / most;
+  if (count < kFew || !(perBucket > 0) || std::isinf(perBucket))
+    return std::sort(s.keys.begin(), s.keys.end());
+  const auto bucketOf = [&](NeighborKey key) {
+    return std::min(static_cast<std::size_t>(squaredDistanceOf(key) * perBucket), count - 1);
+  };
+  s.starts.assign(count + 1, 0);
+  for (const NeighborKey key : s.keys) ++s.starts[bucketOf(key) + 1];
+  if (*std::ranges::max_element(s.starts) > kCrowd) return std::sort(s.keys.begin(), s.keys.end());
+  std::partial_sum(s.starts.begin(), s.starts.end(), s.starts.begin());
+  s.spread.resize(count);
+  for (const NeighborKey key : s.keys) s.spread[s.starts[bucketOf(key)]++] = key;
+  for (std::size_t i = 1; i < count; ++i) {
+    const NeighborKey key = s.spread[i];
+    std::size_t to = i;
+    for (; to > 0 && s.spread[to - 1] > key; --to) s.spread[to] = s.spread[to - 1];
+    s.spread[to] = key;
+  }
+  s.keys.swap(s.spread);
+}
+
 // Fills keys with the k nearest candidates, ascending; false where fewer than k lie within `reach`.
 bool selectNearest(Scratch& s, const Eigen::Vector3f& position, std::size_t k, float reach) {
   if (!(reach > 0)) return false;
@@ -93,7 +122,7 @@ bool selectNearest(Scratch& s, const Eigen::Vector3f& position, std::size_t k, f
     std::nth_element(s.keys.begin(), s.keys.begin() + static_cast<std::ptrdiff_t>(k), s.keys.end());
     s.keys.resize(k);
   }
-  std::sort(s.keys.begin(), s.keys.end());
+  sortKeys(s, threshold);
   s.keys.resize(k);
   return true;
 }

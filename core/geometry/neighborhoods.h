@@ -60,6 +60,25 @@ class NeighborSearch {
   std::unique_ptr<Impl> impl_;
 };
 
+/// body(site, neighbors, squaredDistances) with the k nearest of every site, on all threads. Neighborhoods
+/// never stand in memory as a whole.
+template <class Body>
+void forNeighborhoods(const Sites& sites, const NeighborSearch& search, int k, const Progress* progress,
+                      const Body& body) {
+  constexpr std::size_t kGrain = 1024;
+  parallelFor(
+      sites.size(), kGrain,
+      [&](std::size_t begin, std::size_t end) {
+        Neighborhoods rows;
+        search.findNearest(static_cast<Index>(begin), static_cast<Index>(end), k, rows);
+        for (auto site = static_cast<Index>(begin); site < end; ++site) {
+          const auto row = static_cast<Index>(site - begin);
+          body(site, rows.of(row), rows.squaredDistancesOf(row));
+        }
+      },
+      progress);
+}
+
 /// Median distance to the nearest other site; 0 below two sites. Beyond the scale that requireUsableScale
 /// asks for, 0 or infinite.
 float medianSpacing(const Sites& sites);

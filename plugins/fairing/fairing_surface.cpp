@@ -33,9 +33,7 @@ FairingSurface::FairingSurface(const PointSet& points, const FairingOptions& opt
   progress.report(0.7, "looking for creases");
   noise_ = estimateNoise(d.sites, kNoiseNeighbors);
   neighbors_ = options.k > 0 ? std::max(options.k, 6) : classifierNeighbors(noise_);
-  // Neighborhoods go when the moments are there.
-  const std::vector<Moments> moments =
-      fitMoments(d.sites, findNeighborhoods(d.sites, {.k = neighbors_}, &progress), &progress);
+  const std::vector<Moments> moments = fitMoments(d.sites, neighbors_, &progress);
   progress.report(0.9, "assembling");
   const auto tensors = fairingTensors(moments, options.tensor, classifierOfCrease(options.creaseAngle),
                                       noise_ * std::sqrt(squaredSpacing_));

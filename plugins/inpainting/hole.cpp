@@ -87,8 +87,7 @@ Hole prepareHole(const PointSet& points, const Attribute& attribute, const Regio
   PartialProgress discretizing(progress, 0.1, 0.8);
   Hole hole{.discretization = discretize(patch.points, options, discretizing)};
   const Sites& sites = hole.discretization.sites;
-  const std::vector<float> classifier = classify(
-      fitMoments(sites, findNeighborhoods(sites, {.k = kClassifierNeighbors}, &progress), &progress));
+  const std::vector<float> classifier = classify(fitMoments(sites, kClassifierNeighbors, &progress));
   hole.classifier.assign(classifier.begin(), classifier.end());
   gatherValues(attribute, region, patch, hole);
   summarizeKnown(points, attribute, region, hole);

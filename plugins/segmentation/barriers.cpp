@@ -19,7 +19,7 @@ int classifierNeighbors(double noise) {
 }
 
 std::vector<float> computeClassifier(const Sites& sites, int k, const Progress* progress) {
-  return classify(fitMoments(sites, findNeighborhoods(sites, {.k = k}, progress), progress));
+  return classify(fitMoments(sites, k, progress));
 }
 
 std::vector<std::uint8_t> findSitesAtCreases(const SurfaceGraph& graph) {

@@ -43,8 +43,7 @@ std::vector<float> irregularities(Index sites, std::uint64_t seed) {
 }
 
 std::vector<Index> seedsAtEdges(const Sites& sites, double fraction, const Progress* progress) {
-  const Neighborhoods neighborhoods = findNeighborhoods(sites, {.k = kNeighbors}, progress);
-  const std::vector<float> classifier = classify(fitMoments(sites, neighborhoods, progress));
+  const std::vector<float> classifier = classify(fitMoments(sites, kNeighbors, progress));
   std::vector<float> sorted = classifier;
   const float low = quantile(sorted, 0.01), high = quantile(sorted, 0.99);
   if (low > kEdge) {
