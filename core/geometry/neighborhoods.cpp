@@ -113,11 +113,14 @@ bool selectNearest(Scratch& s, const Eigen::Vector3f& position, std::size_t k, f
   float threshold = limit;
   if (within > k + 6)
     threshold = std::isinf(reach) ? limit : thresholdFor(s.squaredDistances.data(), within, k, limit);
-  s.keys.clear();
+  // Without a branch, which would be guessed wrong every other time.
+  s.keys.resize(within);
+  std::size_t kept = 0;
   for (std::size_t c = 0; c < within; ++c) {
-    if (s.squaredDistances[c] <= threshold)
-      s.keys.push_back(makeKey(s.squaredDistances[c], s.sites[s.slots[c]]));
+    s.keys[kept] = makeKey(s.squaredDistances[c], s.sites[s.slots[c]]);
+    kept += s.squaredDistances[c] <= threshold;
   }
+  s.keys.resize(kept);
   if (s.keys.size() > 4 * k + 64) {
     std::nth_element(s.keys.begin(), s.keys.begin() + static_cast<std::ptrdiff_t>(k), s.keys.end());
     s.keys.resize(k);
