@@ -273,7 +273,7 @@ Report TextureRun::report() const {
                    {"points_of_wave", pointsOfWave},
                    {"area", surface_->area},
                    {"time_step", timeStep()},
-                   {"sweeps", static_cast<double>(sweeps_) / steps_}};
+                   {"solver_iterations", static_cast<double>(sweeps_) / steps_}};
   if (system_.patchSize == 0) report.values.emplace_back("growth", findModes(system_, timeStep()).growth);
   if (pointsOfWave < kFairPointsOfWave) {
     report.warnings.push_back(
