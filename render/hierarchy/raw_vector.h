@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -8,8 +9,8 @@
 
 namespace stipple {
 
-/// Leaves elements that are not given a value as they are: pages of large arrays, large ones, are touched
-/// first by the threads that fill them.
+/// Leaves elements that are not given a value as they are, even those whose type has values by default: pages
+/// of large arrays, large ones, are touched first by the threads that fill them.
 template <class T>
 struct RawAllocator : std::allocator<T> {
   template <class U>
@@ -23,10 +24,10 @@ struct RawAllocator : std::allocator<T> {
   }
   template <class U, class... Arguments>
   void construct(U* place, Arguments&&... arguments) {
-    if constexpr (sizeof...(Arguments) == 0) {
-      ::new (static_cast<void*>(place)) U;
-    } else {
+    if constexpr (sizeof...(Arguments) > 0) {
       ::new (static_cast<void*>(place)) U(std::forward<Arguments>(arguments)...);
+    } else if constexpr (!std::is_aggregate_v<U> || !std::is_trivially_destructible_v<U>) {
+      ::new (static_cast<void*>(place)) U;  // an aggregate lives as soon as its memory is allocated
     }
   }
 };

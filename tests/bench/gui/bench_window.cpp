@@ -13,7 +13,7 @@ namespace stipple {
 
 namespace {
 
-constexpr int kPatience = 600'000, kWatch = 2;  // milliseconds
+constexpr int kPatience = 600'000, kWatch = 2, kAsk = 20;  // milliseconds
 
 }  // namespace
 
@@ -78,8 +78,9 @@ BenchWindow::~BenchWindow() {
 double BenchWindow::waitFor(const std::function<bool()>& holds) {
   QElapsedTimer timer;
   timer.start();
-  while (!holds() && timer.elapsed() < kPatience)
-    QApplication::processEvents(QEventLoop::WaitForMoreEvents, 20);
+  QTimer alarm;  // asks again even if nothing happens; with a time limit, processEvents would not sleep
+  alarm.start(kAsk);
+  while (!holds() && timer.elapsed() < kPatience) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
   return static_cast<double>(timer.nsecsElapsed()) / 1e6;
 }
 
