@@ -134,18 +134,30 @@ void measureProcess(BenchWindow& bench) {
   workbench.run(makeInvocation(workbench.registry(), "segmentation"));
   const Times camera = turn(bench, kRunSeconds, [&] { return workbench.isRunning(); });
   const Times blocked = watchdog.blocked();
-  const bool isCancelled = workbench.isRunning();
-  const double cancel = timeOf([&] {
-    workbench.cancel();
-    workbench.flipNormals();
-  });
   print("event loop blocked while the segmentation runs", blocked);
   print("camera: mouse to picture meanwhile", camera);
   fmt::print("{:<52}{:>20.1f}\n", "  pictures a second", 1000 / camera.median());
   print(fmt::format("intermediate state to pixels, at most ({} states)", states.values.size()).c_str(),
         states);
-  if (isCancelled) print("cancel until an edit of all points is done", Times{{cancel}});
+  workbench.cancel();
   bench.waitUntilQuiet();
+}
+
+// At several places of the run: finding neighbors, making matrices, factoring them.
+void measureCancel(BenchWindow& bench) {
+  Workbench& workbench = bench.workbench();
+  Times times;
+  for (const double seconds : {0.5, 2.0, 5.0, 10.0}) {
+    workbench.run(makeInvocation(workbench.registry(), "segmentation"));
+    turn(bench, seconds, [&] { return workbench.isRunning(); });
+    if (!workbench.isRunning()) break;
+    times.values.push_back(timeOf([&] {
+      workbench.cancel();
+      workbench.flipNormals();
+    }));
+    bench.waitUntilQuiet();
+  }
+  print("cancel until an edit of all points is done", times);
 }
 
 void measureStart(ViewportKind kind) {
@@ -184,6 +196,7 @@ void measureScan(ViewportKind kind, const std::filesystem::path& path, bool isEd
     measureDabs(bench);
     measureUndo(bench);
     measureProcess(bench);
+    measureCancel(bench);
   }
   fmt::print("{:<52}{:>20.0f}\n", "most memory, MB", peakMegabytes());
 }
