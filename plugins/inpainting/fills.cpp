@@ -96,13 +96,14 @@ FillStep HarmonicFill::step(Hole& hole, const Progress& progress) {
   return result;
 }
 
-TensorFill::TensorFill(Hole& hole, const Progress& progress) {
+TensorFill::TensorFill(Hole& hole, const Progress& progress) : shading_(hole, &progress) {
   first_.emplace(creaseStiffness(hole, progress), hole.unknown, solverFor(hole), &progress);
   unreached_ = first_->unreached();
 }
 
 FillStep TensorFill::step(Hole& hole, const Progress& progress) {
   const Eigen::MatrixXd before = hole.values;
+  shading_.takeOff(hole.values);
   if (first_) {
     first_->solve(hole.values, &progress);
     first_.reset();
@@ -114,6 +115,7 @@ FillStep TensorFill::step(Hole& hole, const Progress& progress) {
     EllipticSolver(stiffness, hole.unknown, solverFor(hole), &progress).solve(hole.values, &progress);
   }
   ++steps_;
+  shading_.putOn(hole.values);
   clampToKnown(hole);
   return {.change = changeOf(hole, before), .fraction = static_cast<double>(steps_) / kTensorSteps};
 }
