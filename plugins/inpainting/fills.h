@@ -39,7 +39,7 @@ class TensorFill {
  private:
   std::vector<Index> unreached_;
   Shading shading_;
-  std::optional<EllipticSolver> first_;  // of the harmonic fill, until it has been used
+  EllipticSolver solver_;  // of the harmonic fill at first
   int steps_ = 0;
 };
 

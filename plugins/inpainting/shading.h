@@ -24,4 +24,19 @@ class Shading {
   Eigen::MatrixXd factors_;  // s, sites x channels; empty: 1
 };
 
+/// Colors are in even light while it lives, however it ends.
+class EvenLight {
+ public:
+  EvenLight(const Shading& shading, Eigen::MatrixXd& colors) : shading_(shading), colors_(colors) {
+    shading_.takeOff(colors_);
+  }
+  ~EvenLight() { shading_.putOn(colors_); }
+  EvenLight(const EvenLight&) = delete;
+  EvenLight& operator=(const EvenLight&) = delete;
+
+ private:
+  const Shading& shading_;
+  Eigen::MatrixXd& colors_;
+};
+
 }  // namespace stipple
