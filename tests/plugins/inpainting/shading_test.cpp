@@ -9,8 +9,10 @@
 #include <random>
 
 #include "core/points/field.h"
+#include "plugins/inpainting/fills.h"
 #include "plugins/inpainting/relief.h"
 #include "tests/plugins/inpainting/inpaint_points.h"
+#include "tests/support/grid_laplacian.h"
 #include "tests/support/shapes.h"
 
 namespace stipple {
@@ -109,6 +111,18 @@ TEST(Shading, IsTakenOffAndPutOn) {
   EXPECT_LT(spread(colors), 0.2 * spread(hole.values));
   shading.putOn(colors);
   EXPECT_LT((colors - hole.values).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(Shading, AStepThatIsCancelledLeavesTheLight) {
+  const Lit matt(0.01, [](double, double, const Eigen::Vector3d& n) { return lambert(n); });
+  Hole hole = matt.hole();
+  const Progress progress;
+  TensorFill fill(hole, progress);
+  fill.step(hole, progress);
+  const Eigen::MatrixXd before = hole.values;
+  const CancelAfter cancel(0);
+  EXPECT_THROW(fill.step(hole, cancel), Cancelled);
+  EXPECT_LT((hole.values - before).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 TEST(Shading, AFlatPlaceHasNone) {
