@@ -86,8 +86,15 @@ SolveReport DiffusionStepper::step(Eigen::Ref<Eigen::MatrixXd> u, const Progress
 
 EllipticSolver::EllipticSolver(const SparseMatrix& stiffness, std::span<const Index> unknown,
                                const SolverOptions& options, const Progress* progress)
-    : constraints_(stiffness, findFixedRows(stiffness, unknown, unreached_)),
+    : unknown_(unknown.begin(), unknown.end()),
+      constraints_(stiffness, findFixedRows(stiffness, unknown_, unreached_)),
       solver_(constraints_.freeMatrix(), options, progress) {}
+
+void EllipticSolver::update(const SparseMatrix& stiffness, const Progress* progress) {
+  unreached_.clear();
+  constraints_ = DirichletConstraints(stiffness, findFixedRows(stiffness, unknown_, unreached_));
+  solver_.update(constraints_.freeMatrix(), progress);
+}
 
 SolveReport EllipticSolver::solve(Eigen::Ref<Eigen::MatrixXd> u, const Progress* progress) const {
   Eigen::MatrixXd values = constraints_.gather(u);

@@ -49,11 +49,13 @@ class EllipticSolver {
 
   /// Fills the unknown rows of n x c columns; what they held is the initial guess.
   SolveReport solve(Eigen::Ref<Eigen::MatrixXd> u, const Progress* progress = nullptr) const;
+  /// Takes another stiffness for the same unknown rows; with the same pattern the ordering is kept.
+  void update(const SparseMatrix& stiffness, const Progress* progress = nullptr);
   /// Unknown rows that no path of nonzero couplings joins to a known row: solve leaves them as they are.
   const std::vector<Index>& unreached() const { return unreached_; }
 
  private:
-  std::vector<Index> unreached_;
+  std::vector<Index> unknown_, unreached_;
   DirichletConstraints constraints_;
   LinearSolver solver_;
 };

@@ -96,22 +96,24 @@ FillStep HarmonicFill::step(Hole& hole, const Progress& progress) {
   return result;
 }
 
-TensorFill::TensorFill(Hole& hole, const Progress& progress) {
-  first_.emplace(creaseStiffness(hole, progress), hole.unknown, solverFor(hole), &progress);
-  unreached_ = first_->unreached();
+TensorFill::TensorFill(Hole& hole, const Progress& progress)
+    : shading_(hole, &progress),
+      solver_(creaseStiffness(hole, progress), hole.unknown, solverFor(hole), &progress) {
+  unreached_ = solver_.unreached();
 }
 
 FillStep TensorFill::step(Hole& hole, const Progress& progress) {
   const Eigen::MatrixXd before = hole.values;
-  if (first_) {
-    first_->solve(hole.values, &progress);
-    first_.reset();
-  } else {
-    const EdgeSource source = steps_ == 1 ? EdgeSource::kKnown : EdgeSource::kCurrent;
-    SparseMatrix stiffness =
-        assembleStiffness(hole.discretization, edgeTensors(hole, source, &progress), &progress);
-    makeSemidefinite(hole.discretization, stiffness);
-    EllipticSolver(stiffness, hole.unknown, solverFor(hole), &progress).solve(hole.values, &progress);
+  {
+    const EvenLight evenLight(shading_, hole.values);
+    if (steps_ > 0) {
+      const EdgeSource source = steps_ == 1 ? EdgeSource::kKnown : EdgeSource::kCurrent;
+      SparseMatrix stiffness =
+          assembleStiffness(hole.discretization, edgeTensors(hole, source, &progress), &progress);
+      makeSemidefinite(hole.discretization, stiffness);
+      solver_.update(stiffness, &progress);
+    }
+    solver_.solve(hole.values, &progress);
   }
   ++steps_;
   clampToKnown(hole);

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "core/pde/diffusion.h"
-#include "plugins/inpainting/hole.h"
+#include "plugins/inpainting/shading.h"
 
 namespace stipple {
 
@@ -28,7 +28,8 @@ class HarmonicFill {
 };
 
 /// div(C A(u) grad u) = 0 with A = 1 along edges of u and small across them, where edges are found in what
-/// the step before has. The first step is the harmonic fill.
+/// the step before has. The first step is the harmonic fill. Of colors, what the relief does to their light
+/// is taken off before and put on after.
 class TensorFill {
  public:
   TensorFill(Hole& hole, const Progress& progress);
@@ -37,7 +38,8 @@ class TensorFill {
 
  private:
   std::vector<Index> unreached_;
-  std::optional<EllipticSolver> first_;  // of the harmonic fill, until it has been used
+  Shading shading_;
+  EllipticSolver solver_;  // of the harmonic fill at first
   int steps_ = 0;
 };
 

@@ -46,6 +46,7 @@ void summarizeKnown(const PointSet& points, const Attribute& attribute, const Re
   Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(channels);
   double count = 0;
   hole.areUnitVectors = attribute.type() == AttributeType::kVector3;
+  hole.isLight = attribute.type() == AttributeType::kColor;
   constexpr Index kBlock = 1 << 16;
   std::vector<Index> rows;
   for (Index begin = 0; begin < points.size(); begin += kBlock) {

@@ -23,6 +23,8 @@ struct Hole {
   Eigen::RowVectorXd least, greatest;
   /// Where known vectors are all of unit length, so are those that are filled in.
   bool areUnitVectors = false;
+  /// The values are colors, in linear light.
+  bool isLight = false;
 };
 
 /// Schemes paper and mesh have weights below 0 at obtuse angles, with which div(A grad u) = 0 may have no

@@ -23,12 +23,13 @@ std::vector<Parameter> inpaintingParameters() {
                     {"harmonic", "Harmonic"},
                     {"biharmonic", "Biharmonic"},
                     {"exemplar", "Texture"}},
-        .help = "tensor: edges of color run on, div(C A(u) grad u) = 0 with A small across them. harmonic: "
-                "div(C grad u) = 0, C small at creases, as in the paper. biharmonic: lap(lap u) = 0, smooth "
-                "across the rim, for shadings without edges. exemplar: textures run on, each point takes the "
-                "value "
-                "of a known one nearby whose surroundings (37 places) look the same: least sum of squares "
-                "over all patches that overlap the mask."}});
+        .help =
+            "tensor: edges of color run on, div(C A(v) grad v) = 0 with A small across them; for colors v = "
+            "u / s, s the light that they take from the relief around the mask (normals, hollows), else v = "
+            "u. harmonic: div(C grad u) = 0, C small at creases, as in the paper. biharmonic: lap(lap u) = "
+            "0, smooth across the rim, for shadings without edges. exemplar: textures run on, each point "
+            "takes the value of a known one nearby whose surroundings (37 places) look the same: least sum "
+            "of squares over all patches that overlap the mask."}});
 }
 
 class Inpainting final : public Operator {

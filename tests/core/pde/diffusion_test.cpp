@@ -89,6 +89,21 @@ TEST(EllipticSolver, ContinuesALinearFunction) {
   EXPECT_TRUE(solver.unreached().empty());
 }
 
+TEST(EllipticSolver, TakesAnotherStiffness) {
+  // A chain of springs from 0 to 1: the first as stiff as the second, then three times as stiff, then cut.
+  std::vector<WeightedEdge> even{{0, 1, 1.0}, {1, 2, 1.0}}, uneven{{0, 1, 3.0}, {1, 2, 1.0}},
+      cut{{0, 2, 1.0}};
+  EllipticSolver solver(buildLaplacian(3, std::move(even)), std::vector<Index>{1}, kExact);
+  Eigen::VectorXd u = Eigen::Vector3d(0, 7, 1);
+  solver.solve(u);
+  EXPECT_NEAR(u[1], 0.5, 1e-12);
+  solver.update(buildLaplacian(3, std::move(uneven)));
+  solver.solve(u);
+  EXPECT_NEAR(u[1], 0.25, 1e-12);
+  solver.update(buildLaplacian(3, std::move(cut)));
+  EXPECT_EQ(solver.unreached(), std::vector<Index>{1});
+}
+
 TEST(EllipticSolver, LeavesWhatNoKnownRowTouches) {
   // Two strips without a coupling; the second is wholly unknown.
   SparseMatrix both(8, 8);

@@ -111,18 +111,40 @@ Quality judge(const PointSet& whole, float radiusInSpacings) {
   return quality;
 }
 
-// The aim of 3 dB above the nearest color is not reached: the texture of this scan changes from point to
-// point, and no fill from the rim alone, that of the graph included, comes to more than 2.3 dB.
+testing::Message figuresOf(float radius, const Quality& quality) {
+  return testing::Message() << "radius " << radius << ": nearest " << quality.nearest << ", graph "
+                            << quality.graph << ", harmonic " << quality.harmonic << ", tensor "
+                            << quality.tensor;
+}
+
+// The aim of 3 dB above the nearest color is missed by a little: what stands around a hole does not tell
+// more. The best linear estimate from the colors alone (kriging with the covariance of this scan) is at most
+// .15 dB better than the harmonic fill; the rest of what the tensor has comes from the light on the relief.
 TEST(InpaintingScans, ColorsComeBackBetterThanFromTheNearestPoint) {
   STIPPLE_NEEDS_TEST_DATA();
   Progress progress;
   const PointSet whole = readPoints(testData("colour/ankylosaurus_mesh.ply"), progress).points;
-  for (const float radius : {5.f, 10.f, 15.f}) {
+  for (const auto& [radius, gain] : {std::pair{5.f, 2.3}, {10.f, 2.8}, {15.f, 2.8}}) {
     const Quality quality = judge(whole, radius);
-    EXPECT_GT(quality.harmonic, quality.graph - 0.05) << radius;
-    EXPECT_GT(quality.harmonic, quality.nearest + 1.5) << radius;
-    EXPECT_GT(quality.tensor, quality.graph - 0.3) << radius;
-    EXPECT_GT(quality.tensor, quality.nearest + 1.5) << radius;
+    SCOPED_TRACE(figuresOf(radius, quality));
+    EXPECT_GT(quality.harmonic, quality.graph - 0.05);
+    EXPECT_GT(quality.harmonic, quality.nearest + 1.5);
+    EXPECT_GT(quality.tensor, quality.graph + 0.3);
+    EXPECT_GT(quality.tensor, quality.nearest + gain);
+  }
+}
+
+// A statue in gray: its colors are light and little else.
+TEST(InpaintingScans, TheLightOfAStatueComesBack) {
+  STIPPLE_NEEDS_TEST_DATA();
+  Progress progress;
+  const PointSet whole = readPoints(testData("colour/Laurana50k.ply"), progress).points;
+  for (const float radius : {5.f, 10.f}) {
+    const Quality quality = judge(whole, radius);
+    SCOPED_TRACE(figuresOf(radius, quality));
+    EXPECT_GT(quality.tensor, quality.graph + 0.3);
+    EXPECT_GT(quality.tensor, quality.harmonic + 0.6);
+    EXPECT_GT(quality.tensor, quality.nearest);
   }
 }
 

@@ -1,0 +1,65 @@
+#include "plugins/inpainting/relief.h"
+
+#include <cmath>
+#include <numeric>
+
+#include "core/geometry/orientation.h"
+
+namespace stipple {
+
+namespace {
+
+constexpr int kFirstHeight = 8;
+// Rounds of averaging over fans; their reach grows as the square root: 1, 2 and 4 spacings.
+constexpr int kRounds[] = {1, 4, 16};
+
+void averageOverFans(const Fans& fans, const std::vector<Eigen::Vector3d>& from,
+                     std::vector<Eigen::Vector3d>& to, const Progress* progress) {
+  parallelFor(
+      fans.size(), 2048,
+      [&](std::size_t begin, std::size_t end) {
+        for (auto site = static_cast<Index>(begin); site < end; ++site) {
+          Eigen::Vector3d sum = from[site];
+          for (const Index neighbor : fans.of(site)) sum += from[neighbor];
+          to[site] = sum / static_cast<double>(fans.of(site).size() + 1);
+        }
+      },
+      progress);
+}
+
+// n . (x - mean) / (h sqrt(rounds)), h the mean spacing: of one size at every scale on rough surfaces.
+void describeHeights(const Discretization& d, const std::vector<Eigen::Vector3f>& normals, Relief& relief,
+                     const Progress* progress) {
+  const double area = std::accumulate(d.mass.begin(), d.mass.end(), 0.0);
+  const double spacing = std::sqrt(area / std::max<double>(d.size(), 1));
+  std::vector<Eigen::Vector3d> means, next(d.size());
+  for (const Eigen::Vector3f& p : d.sites.positions) means.push_back(p.cast<double>());
+  int rounds = 0, column = kFirstHeight;
+  for (const int wanted : kRounds) {
+    for (; rounds < wanted; ++rounds) {
+      averageOverFans(d.fans, means, next, progress);
+      means.swap(next);
+    }
+    for (Index i = 0; i < d.size(); ++i) {
+      const Eigen::Vector3d out = d.sites.positions[i].cast<double>() - means[i];
+      relief(i, column) = normals[i].cast<double>().dot(out) / (spacing * std::sqrt(wanted));
+    }
+    ++column;
+  }
+}
+
+}  // namespace
+
+Relief describeRelief(const Discretization& d, const Progress* progress) {
+  Relief relief(d.size(), kReliefSize);
+  const std::vector<Eigen::Vector3f> normals = orientNormals(d, PointSet(), progress).normals;
+  for (Index i = 0; i < d.size(); ++i) {
+    const Eigen::Vector3d n = normals[i].cast<double>();
+    relief.row(i).head<kFirstHeight>() << n.x(), n.y(), n.z(), n.x() * n.y(), n.y() * n.z(), n.z() * n.x(),
+        n.x() * n.x() - n.y() * n.y(), 3 * n.z() * n.z() - 1;
+  }
+  describeHeights(d, normals, relief, progress);
+  return relief;
+}
+
+}  // namespace stipple
