@@ -28,12 +28,13 @@ void setView(FrameBlock& block, const View& view) {
   block.depthShift = view.isPerspective() ? 0 : height;
 }
 
-void setKernelAndLight(FrameBlock& block) {
+void setKernelAndLight(FrameBlock& block, bool isOneOfMany) {
+  const kernel::Footprint& footprint = kernel::footprintOf(isOneOfMany);
   block.leastCosine = kernel::kLeastCosine;
-  block.screenRadiusPx = kernel::kScreenRadiusPx;
-  block.smallDiscPx = kernel::kSmallDiscPx;
-  block.leastScreenRadiusPx = kernel::kLeastScreenRadiusPx;
-  block.visibleShare = kernel::kVisibleShare;
+  block.screenRadiusPx = footprint.screenRadiusPx;
+  block.smallDiscPx = footprint.smallDiscPx;
+  block.leastScreenRadiusPx = footprint.leastScreenRadiusPx;
+  block.visibleShare = footprint.visibleShare;
   block.depthBand = kernel::kDepthBand;
   block.normalCosine = kernel::kNormalCosine;
   block.leastWeight = kernel::kLeastWeight;
@@ -50,7 +51,7 @@ void setKernelAndLight(FrameBlock& block) {
 FrameBlock makeFrameBlock(const View& view, const Appearance& appearance, bool isBlended) {
   FrameBlock block{};
   setView(block, view);
-  setKernelAndLight(block);
+  setKernelAndLight(block, appearance.isOneOfMany);
   block.selectionColor = linearOf(appearance.selectionColor);
   block.selectionShare = kernel::kSelectionShare;
   if (appearance.brush) {
@@ -67,6 +68,7 @@ FrameBlock makeFrameBlock(const View& view, const Appearance& appearance, bool i
   block.isTwoSided = appearance.twoSided;
   block.splatMode = static_cast<std::uint32_t>(appearance.mode);
   block.isBlended = isBlended;
+  block.isOneOfMany = appearance.isOneOfMany;
   return block;
 }
 
