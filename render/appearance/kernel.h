@@ -6,24 +6,23 @@ namespace stipple::kernel {
 /// A disc seen edge-on is turned towards the viewer until its normal makes this cosine with the line of
 /// sight.
 inline constexpr float kLeastCosine = 0.1f;
-/// Of a picture that is one frame, and of frames that are shifted by parts of a pixel and averaged.
-struct Footprint {
-  /// A disc hides what is behind it only up to this q, its squared distance from the center over the squared
-  /// radius: enough to cover, without standing out over contours and creases.
-  float visibleShare;
-  /// Screen-space kernel, pixels, of the smallest discs. It shrinks by as much as the disc's own radius on
-  /// the screen exceeds smallDiscPx, down to the least: what is drawn large enough covers pixels by itself.
-  float screenRadiusPx, smallDiscPx, leastScreenRadiusPx;
+/// A disc hides what is behind it only up to this q, its squared distance from the center over the squared
+/// radius: enough to cover, without standing out over contours and creases. Less would sharpen creases, but
+/// random points with radii from blocks would leave specks.
+inline constexpr float kVisibleShare = 0.9f;
+/// Screen-space kernel, pixels, of the smallest discs. It shrinks by as much as the disc's own radius on the
+/// screen exceeds smallDiscPx, down to the least: what is drawn large enough covers pixels by itself.
+struct ScreenKernel {
+  float radiusPx, smallDiscPx, leastRadiusPx;
 };
-/// At visibleShare the kernel just reaches a pixel center wherever it lies; the least is a line of one pixel
-/// for a sheet seen edge-on.
-inline constexpr Footprint kOfOneFrame{
-    .visibleShare = 0.9f, .screenRadiusPx = 0.75f, .smallDiscPx = 0.7f, .leastScreenRadiusPx = 0.53f};
-/// Frames of a mean need not cover pixels, only their share of them: a kernel that reaches pixel centers
-/// would widen every contour by half a pixel. Single points keep the area of a pixel.
-inline constexpr Footprint kOfManyFrames{
-    .visibleShare = 0.8f, .screenRadiusPx = 0.62f, .smallDiscPx = 0.2f, .leastScreenRadiusPx = 0.2f};
-constexpr const Footprint& footprintOf(bool isOneOfMany) {
+/// At kVisibleShare it just reaches a pixel center wherever it lies; the least is a line of one pixel for a
+/// sheet seen edge-on.
+inline constexpr ScreenKernel kOfOneFrame{.radiusPx = 0.75f, .smallDiscPx = 0.7f, .leastRadiusPx = 0.53f};
+/// Frames that are shifted by parts of a pixel and averaged need not cover pixels, only their share of them:
+/// a kernel that reaches pixel centers would widen every contour by half a pixel. Single points keep the area
+/// of a pixel.
+inline constexpr ScreenKernel kOfManyFrames{.radiusPx = 0.62f, .smallDiscPx = 0.2f, .leastRadiusPx = 0.2f};
+constexpr const ScreenKernel& screenKernelOf(bool isOneOfMany) {
   return isOneOfMany ? kOfManyFrames : kOfOneFrame;
 }
 /// A fragment counts up to this many of its own radii behind the visible surface, and with a normal within 60

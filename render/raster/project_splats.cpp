@@ -174,9 +174,9 @@ class Projector {
 
   // Discs that are drawn large enough cover pixels by themselves.
   HWY_INLINE V screenRadiusOf(V discPx) const {
-    return hn::Min(hn::Max(hn::Sub(all(footprint_.screenRadiusPx + footprint_.smallDiscPx), discPx),
-                           all(footprint_.leastScreenRadiusPx)),
-                   all(footprint_.screenRadiusPx));
+    return hn::Min(
+        hn::Max(hn::Sub(all(screen_.radiusPx + screen_.smallDiscPx), discPx), all(screen_.leastRadiusPx)),
+        all(screen_.radiusPx));
   }
 
   HWY_INLINE void setColor(I color, Projected& out) const {
@@ -287,7 +287,7 @@ class Projector {
 
   // The extent of the disc, and of the screen-space kernel about its center.
   HWY_INLINE void setBoxes(const Range& x, const Range& y, M isBefore, Projected& out) const {
-    const V reach = all(footprint_.screenRadiusPx);
+    const V reach = all(screen_.radiusPx);
     const auto around = [&](const Range& range, V center) HWY_ATTR {
       return Range{hn::Min(range.low, hn::Sub(center, reach)), hn::Max(range.high, hn::Add(center, reach))};
     };
@@ -296,7 +296,7 @@ class Projector {
 
   const View& view_;
   const Appearance& appearance_;
-  const kernel::Footprint& footprint_ = kernel::footprintOf(appearance_.isOneOfMany);
+  const kernel::ScreenKernel& screen_ = kernel::screenKernelOf(appearance_.isOneOfMany);
   const std::array<float, 256>& linear_ = linearTable();
   glm::vec3 selection_{0};
   glm::vec2 center_;

@@ -55,7 +55,7 @@ void Raster::takeSplats(std::span<const Splat> splats, std::size_t begin, std::s
     splats_[i] = splats[nodes_[i]];
   }
   findReach(std::span(splats_).subspan(begin, end - begin), view_,
-            kernel::footprintOf(appearance_.isOneOfMany).screenRadiusPx,
+            kernel::screenKernelOf(appearance_.isOneOfMany).radiusPx,
             std::span(reach_).subspan(begin, end - begin));
 }
 

@@ -79,15 +79,15 @@ HWY_INLINE void forPixels(const Tile& tile, const ProjectedSplat& s, const Part&
 }
 
 template <bool kPerspective>
-HWY_INLINE void findVisible(Tile& tile, const ProjectedSplat& s, const Part& part, std::int32_t id,
-                            float visibleShare) {
+HWY_INLINE void findVisible(Tile& tile, const ProjectedSplat& s, const Part& part, std::int32_t id) {
   const Floats f;
   const Ints i;
   forPixels<kPerspective>(
       tile, s, part, [&](const Row<kPerspective>& row, std::size_t at, V dx, M inside) HWY_ATTR {
         const auto [q, z] = row.at(dx);
         const V held = hn::LoadU(f, tile.depth.data() + at);
-        const M wins = hn::And(hn::And(inside, hn::Le(q, hn::Set(f, visibleShare))), hn::Lt(z, held));
+        const M wins =
+            hn::And(hn::And(inside, hn::Le(q, hn::Set(f, kernel::kVisibleShare))), hn::Lt(z, held));
         if (hn::AllFalse(f, wins)) return;
         hn::StoreU(hn::IfThenElse(wins, z, held), f, tile.depth.data() + at);
         const auto ids = hn::LoadU(i, tile.splat.data() + at);
@@ -261,7 +261,6 @@ HWY_INLINE void drawSplats(Tile& tile, const DrawnSplats& drawn, std::span<const
   // Lists run roughly from front to back: what is hidden by all that came before is soon passed over.
   constexpr std::size_t kBetweenLooks = 64;
   const bool isOneOfMany = drawn.appearance.isOneOfMany;
-  const float visibleShare = kernel::footprintOf(isOneOfMany).visibleShare;
   Occluders occluders;
   for (std::size_t begin = 0; begin < list.size(); begin += kBetweenLooks) {
     if (begin > 0) occluders.look(tile);
@@ -269,7 +268,7 @@ HWY_INLINE void drawSplats(Tile& tile, const DrawnSplats& drawn, std::span<const
     takeUnhidden(tile, drawn, list.subspan(begin, std::min(kBetweenLooks, list.size() - begin)), occluders);
     for (; n < tile.splats.size(); ++n) {
       const ProjectedSplat& s = tile.splats[n];
-      findVisible<kPerspective>(tile, s, partOf(s.box, tile), static_cast<std::int32_t>(n), visibleShare);
+      findVisible<kPerspective>(tile, s, partOf(s.box, tile), static_cast<std::int32_t>(n));
     }
   }
   if (drawn.appearance.mode != SplatMode::kSplats) return takeVisible(tile);

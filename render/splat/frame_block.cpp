@@ -29,12 +29,12 @@ void setView(FrameBlock& block, const View& view) {
 }
 
 void setKernelAndLight(FrameBlock& block, bool isOneOfMany) {
-  const kernel::Footprint& footprint = kernel::footprintOf(isOneOfMany);
+  const kernel::ScreenKernel& screen = kernel::screenKernelOf(isOneOfMany);
   block.leastCosine = kernel::kLeastCosine;
-  block.screenRadiusPx = footprint.screenRadiusPx;
-  block.smallDiscPx = footprint.smallDiscPx;
-  block.leastScreenRadiusPx = footprint.leastScreenRadiusPx;
-  block.visibleShare = footprint.visibleShare;
+  block.screenRadiusPx = screen.radiusPx;
+  block.smallDiscPx = screen.smallDiscPx;
+  block.leastScreenRadiusPx = screen.leastRadiusPx;
+  block.visibleShare = kernel::kVisibleShare;
   block.depthBand = kernel::kDepthBand;
   block.normalCosine = kernel::kNormalCosine;
   block.leastWeight = kernel::kLeastWeight;
