@@ -26,7 +26,9 @@ void main() {
     bool isBehind = depth > visibleDepth + frame.depthBand * footprint.radius;
     if (isBehind || dot(normal, visibleNormal) < frame.normalCosine) discard;
   }
-  float w = max((1 - q) * (1 - q), frame.leastWeight);
+  float share = (1 - q) * (1 - q);
+  if (frame.isOneOfMany != 0) share *= share;
+  float w = max(share, frame.leastWeight);
   colorSum = w * vec4(albedo, 1);
   normalSum = w * vec4(normal, (depth - visibleDepth) * pixelsPerUnit(visibleDepth));
 }

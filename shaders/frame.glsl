@@ -35,6 +35,7 @@ layout(std140, binding = 0) uniform Frame {
   float visibleShare;      // up to this distanceIn a disc hides what is behind it
   float smallDiscPx;       // see screenRadiusOf
   float leastScreenRadiusPx;
+  uint isOneOfMany;        // the frame is part of a mean: weights fall off faster
 } frame;
 
 const uint kSplats = 0u, kDiscs = 1u, kPoints = 2u;

@@ -54,6 +54,8 @@ Image PictureMaker::take(const CameraAngles& camera, Progress& progress) {
 
 void PictureMaker::drawFrames(const View& view, Progress& progress) {
   const std::vector<glm::vec2> shifts = jitterOf(options_.supersample);
+  Appearance appearance = options_.appearance;
+  appearance.isOneOfMany = shifts.size() > 1;
   for (std::size_t i = 0; i < shifts.size(); ++i) {
     progress.report(static_cast<double>(i) / static_cast<double>(shifts.size()), "drawing");
     progress.throwIfCancelled();
@@ -61,9 +63,9 @@ void PictureMaker::drawFrames(const View& view, Progress& progress) {
     shifted.jitterPx = shifts[i];
     const Accumulate accumulate = i == 0 ? Accumulate::kStartAnew : Accumulate::kAddToMean;
     if (options_.drawsTriangles) {
-      renderer_.drawMesh(scene_.mesh(), shifted, options_.appearance, accumulate, &progress);
+      renderer_.drawMesh(scene_.mesh(), shifted, appearance, accumulate, &progress);
     } else {
-      renderer_.draw(scene_.hierarchy, cut_.nodes, shifted, options_.appearance, accumulate, &progress);
+      renderer_.draw(scene_.hierarchy, cut_.nodes, shifted, appearance, accumulate, &progress);
     }
   }
 }

@@ -152,16 +152,18 @@ std::optional<FrameMaker::Clock::time_point> FrameMaker::nextDue() const {
   return {};
 }
 
-void FrameMaker::draw(float tau, Accumulate accumulate, const View& view, const Progress* progress) {
+void FrameMaker::draw(const Pass& pass, const View& view, const Progress* progress) {
   const auto begin = Clock::now();
+  Appearance appearance = appearance_;
+  appearance.isOneOfMany = pass.isOneOfMany;
   if (drawsMesh()) {
     const SurfaceMesh mesh{meshPoints_.positions(), meshNormals_, meshColors_, meshPoints_.triangles()};
-    renderer_->drawMesh(mesh, view, appearance_, accumulate, progress);
+    renderer_->drawMesh(mesh, view, appearance, pass.accumulate, progress);
     splats_ = 0;
     tau_ = RateControl::kFinest;
   } else {
-    const Cut cut = selectCut(surface_.hierarchy(), view, {.tau = tau}, &cutMemory_, progress);
-    renderer_->draw(surface_.hierarchy(), cut.nodes, view, appearance_, accumulate, progress);
+    const Cut cut = selectCut(surface_.hierarchy(), view, {.tau = pass.tau}, &cutMemory_, progress);
+    renderer_->draw(surface_.hierarchy(), cut.nodes, view, appearance, pass.accumulate, progress);
     splats_ = static_cast<Index>(cut.nodes.size());
     tau_ = cut.tau;
   }
@@ -191,7 +193,7 @@ bool FrameMaker::drawCoarse() {
   coarseness_ = coarsens ? 2 : 1;
   RateControl& rate = coarsens ? coarseRate_ : rate_;
   const float tau = std::max(rate.tauFor(motionBudget), RateControl::kFinest);
-  draw(tau, Accumulate::kStartAnew, drawnSize(*view_, coarseness_), nullptr);
+  draw({.tau = tau}, drawnSize(*view_, coarseness_), nullptr);
   rate.drew(splats_, tau_, milliseconds_);
   const bool isFinest = tau_ <= RateControl::kFinest && coarseness_ == 1;
   stage_ = isFinest ? Stage::kConverged : Stage::kCoarse;
@@ -200,7 +202,7 @@ bool FrameMaker::drawCoarse() {
 }
 
 bool FrameMaker::refinePicture(const Progress* interrupt) {
-  draw(RateControl::kFinest, Accumulate::kStartAnew, *view_, interrupt);
+  draw({.tau = RateControl::kFinest}, *view_, interrupt);
   coarseness_ = 1;
   stage_ = Stage::kConverged;
   averaged_ = 0;
@@ -211,8 +213,11 @@ bool FrameMaker::refinePicture(const Progress* interrupt) {
 bool FrameMaker::averagePicture(const Progress* interrupt) {
   View view = *view_;
   view.jitterPx = jitterOfFrame(averaged_);
-  draw(RateControl::kFinest, averaged_ == 0 ? Accumulate::kStartAnew : Accumulate::kAddToMean, view,
-       interrupt);
+  if (averaged_ == 0) {
+    draw({.tau = tauOfMean(tau_, splats_), .isOneOfMany = true}, view, interrupt);
+  } else {
+    draw({.tau = tau_, .accumulate = Accumulate::kAddToMean, .isOneOfMany = true}, view, interrupt);
+  }
   if (++averaged_ < kAveragedFrames) return false;
   stage_ = Stage::kAveraged;
   return true;

@@ -120,7 +120,12 @@ class FrameMaker {
   void takeMesh(const PointSet& points, const std::vector<Rgba8>& colors, bool asMesh);
   bool isMoving(Clock::time_point now) const;
   bool drawsMesh() const;
-  void draw(float tau, Accumulate accumulate, const View& view, const Progress* progress);
+  struct Pass {
+    float tau;
+    Accumulate accumulate = Accumulate::kStartAnew;
+    bool isOneOfMany = false;
+  };
+  void draw(const Pass& pass, const View& view, const Progress* progress);
   bool drawCoarse();
   View drawnSize(const View& view, int coarseness) const;
   bool refinePicture(const Progress* interrupt);

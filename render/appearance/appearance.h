@@ -24,6 +24,9 @@ struct Appearance {
   bool twoSided = true;       ///< faces seen from behind are lit like those seen from in front
   bool lit = true;            ///< false: colors as they are
   float edgeStrength = 0.6f;  ///< eye-dome lighting, 0: off
+  /// The frame is one of many, shifted by parts of a pixel, whose mean is shown: discs cover what is theirs
+  /// and no whole pixels.
+  bool isOneOfMany = false;
   Rgba8 selectionColor{255, 152, 26, 255};
   std::optional<BrushRing> brush = {};
 };

@@ -224,6 +224,12 @@ bool CutSelection::select(std::vector<Index>& nodes, const Progress* progress) {
   return true;
 }
 
+float tauOfMean(float tau, std::size_t nodes) {
+  constexpr float kNodes = 2.2e6f, kFinest = 2;
+  // The number of nodes goes with 1 / tau^2.
+  return std::clamp(tau * std::sqrt(static_cast<float>(nodes) / kNodes), kFinest, CutOptions().tau);
+}
+
 Cut selectCut(const Hierarchy& hierarchy, const View& view, const CutOptions& wanted, CutMemory* memory,
               const Progress* progress) {
   Cut cut{.nodes = {}, .tau = wanted.tau, .isComplete = true};

@@ -174,9 +174,9 @@ class Projector {
 
   // Discs that are drawn large enough cover pixels by themselves.
   HWY_INLINE V screenRadiusOf(V discPx) const {
-    return hn::Min(hn::Max(hn::Sub(all(kernel::kScreenRadiusPx + kernel::kSmallDiscPx), discPx),
-                           all(kernel::kLeastScreenRadiusPx)),
-                   all(kernel::kScreenRadiusPx));
+    return hn::Min(
+        hn::Max(hn::Sub(all(screen_.radiusPx + screen_.smallDiscPx), discPx), all(screen_.leastRadiusPx)),
+        all(screen_.radiusPx));
   }
 
   HWY_INLINE void setColor(I color, Projected& out) const {
@@ -287,7 +287,7 @@ class Projector {
 
   // The extent of the disc, and of the screen-space kernel about its center.
   HWY_INLINE void setBoxes(const Range& x, const Range& y, M isBefore, Projected& out) const {
-    const V reach = all(kernel::kScreenRadiusPx);
+    const V reach = all(screen_.radiusPx);
     const auto around = [&](const Range& range, V center) HWY_ATTR {
       return Range{hn::Min(range.low, hn::Sub(center, reach)), hn::Max(range.high, hn::Add(center, reach))};
     };
@@ -296,6 +296,7 @@ class Projector {
 
   const View& view_;
   const Appearance& appearance_;
+  const kernel::ScreenKernel& screen_ = kernel::screenKernelOf(appearance_.isOneOfMany);
   const std::array<float, 256>& linear_ = linearTable();
   glm::vec3 selection_{0};
   glm::vec2 center_;
@@ -341,7 +342,8 @@ void projectAll(std::span<const Splat> splats, std::span<const std::uint32_t> pl
 
 // A point of the ball of radius r about c is at most r sqrt(z^2 + x^2) / (z (z - r)) from x / z, seen from
 // the eye; the root is at most z + x^2 / (2 z).
-void reachAll(std::span<const Splat> splats, const View& view, std::span<SplatReach> reach) {
+void reachAll(std::span<const Splat> splats, const View& view, float screenRadiusPx,
+              std::span<SplatReach> reach) {
   constexpr float kSlackPx = 0.01f, kMostOfDepth = 0.95f;
   const Floats f;
   const glm::vec2 center = view.centerPx();
@@ -365,7 +367,7 @@ void reachAll(std::span<const Splat> splats, const View& view, std::span<SplatRe
     const auto range = [&](V place, float middle) HWY_ATTR {
       const V along = hn::Mul(place, perDepth), at = hn::MulAdd(focal, along, all(middle));
       const V slope = isPerspective ? hn::MulAdd(hn::Mul(along, along), all(0.5f), all(1)) : all(1);
-      V half = hn::Add(hn::Max(hn::Mul(width, slope), all(kernel::kScreenRadiusPx)), all(kSlackPx));
+      V half = hn::Add(hn::Max(hn::Mul(width, slope), all(screenRadiusPx)), all(kSlackPx));
       half = hn::IfThenElse(isEverywhere, all(std::numeric_limits<float>::infinity()), half);
       return Range{hn::Sub(at, half), hn::Add(at, half)};
     };
@@ -386,8 +388,9 @@ namespace stipple {
 HWY_EXPORT(reachAll);
 HWY_EXPORT(projectAll);
 
-void findReach(std::span<const Splat> splats, const View& view, std::span<SplatReach> reach) {
-  HWY_DYNAMIC_DISPATCH(reachAll)(splats, view, reach);
+void findReach(std::span<const Splat> splats, const View& view, float screenRadiusPx,
+               std::span<SplatReach> reach) {
+  HWY_DYNAMIC_DISPATCH(reachAll)(splats, view, screenRadiusPx, reach);
 }
 
 void projectSplats(std::span<const Splat> splats, std::span<const std::uint32_t> places, const View& view,

@@ -37,8 +37,9 @@ struct ProjectedSplat {
   PixelBox box;                        // pixels it may touch; empty where it is not in the picture
 };
 
-/// `reach` has the length of `splats`.
-void findReach(std::span<const Splat> splats, const View& view, std::span<SplatReach> reach);
+/// `reach` has the length of `splats`. `screenRadiusPx`: of the largest screen-space kernel.
+void findReach(std::span<const Splat> splats, const View& view, float screenRadiusPx,
+               std::span<SplatReach> reach);
 
 /// Projects the splats at these places; `projected` has the length of `places`.
 void projectSplats(std::span<const Splat> splats, std::span<const std::uint32_t> places, const View& view,

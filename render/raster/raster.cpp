@@ -4,6 +4,7 @@
 #include <memory>
 #include <numeric>
 
+#include "render/appearance/kernel.h"
 #include "render/raster/tile.h"
 
 namespace stipple {
@@ -54,6 +55,7 @@ void Raster::takeSplats(std::span<const Splat> splats, std::size_t begin, std::s
     splats_[i] = splats[nodes_[i]];
   }
   findReach(std::span(splats_).subspan(begin, end - begin), view_,
+            kernel::screenKernelOf(appearance_.isOneOfMany).radiusPx,
             std::span(reach_).subspan(begin, end - begin));
 }
 

@@ -96,7 +96,8 @@ HWY_INLINE void findVisible(Tile& tile, const ProjectedSplat& s, const Part& par
 }
 
 template <bool kPerspective>
-HWY_INLINE void addAttributes(Tile& tile, const ProjectedSplat& s, const Part& part, std::int32_t id) {
+HWY_INLINE void addAttributes(Tile& tile, const ProjectedSplat& s, const Part& part, std::int32_t id,
+                              bool isOneOfMany) {
   const Floats f;
   const Ints i;
   const float values[6] = {s.red, s.green, s.blue, s.nx, s.ny, s.nz};
@@ -115,8 +116,9 @@ HWY_INLINE void addAttributes(Tile& tile, const ProjectedSplat& s, const Part& p
         const M isSeen = hn::RebindMask(f, hn::Eq(hn::LoadU(i, tile.splat.data() + at), hn::Set(i, id)));
         counts = hn::And(counts, hn::Or(isSeen, hn::Ge(cosine, hn::Set(f, kernel::kNormalCosine))));
         const V falloff = hn::Sub(hn::Set(f, 1), q);
-        const V weight =
-            hn::IfThenElseZero(counts, hn::Max(hn::Mul(falloff, falloff), hn::Set(f, kernel::kLeastWeight)));
+        V share = hn::Mul(falloff, falloff);
+        if (isOneOfMany) share = hn::Mul(share, share);
+        const V weight = hn::IfThenElseZero(counts, hn::Max(share, hn::Set(f, kernel::kLeastWeight)));
         for (int k = 0; k < 6; ++k) {
           float* sum = tile.sums[k].data() + at;
           hn::StoreU(hn::MulAdd(weight, hn::Set(f, values[k]), hn::LoadU(f, sum)), f, sum);
@@ -258,6 +260,7 @@ template <bool kPerspective>
 HWY_INLINE void drawSplats(Tile& tile, const DrawnSplats& drawn, std::span<const std::uint32_t> list) {
   // Lists run roughly from front to back: what is hidden by all that came before is soon passed over.
   constexpr std::size_t kBetweenLooks = 64;
+  const bool isOneOfMany = drawn.appearance.isOneOfMany;
   Occluders occluders;
   for (std::size_t begin = 0; begin < list.size(); begin += kBetweenLooks) {
     if (begin > 0) occluders.look(tile);
@@ -275,7 +278,7 @@ HWY_INLINE void drawSplats(Tile& tile, const DrawnSplats& drawn, std::span<const
     const ProjectedSplat& s = tile.splats[n];
     const Part part = partOf(s.box, tile);
     if (occluders.hide(part, s.z - (1 + kernel::kDepthBand) * s.radius)) continue;
-    addAttributes<kPerspective>(tile, s, part, static_cast<std::int32_t>(n));
+    addAttributes<kPerspective>(tile, s, part, static_cast<std::int32_t>(n), isOneOfMany);
   }
 }
 

@@ -28,11 +28,12 @@ void setView(FrameBlock& block, const View& view) {
   block.depthShift = view.isPerspective() ? 0 : height;
 }
 
-void setKernelAndLight(FrameBlock& block) {
+void setKernelAndLight(FrameBlock& block, bool isOneOfMany) {
+  const kernel::ScreenKernel& screen = kernel::screenKernelOf(isOneOfMany);
   block.leastCosine = kernel::kLeastCosine;
-  block.screenRadiusPx = kernel::kScreenRadiusPx;
-  block.smallDiscPx = kernel::kSmallDiscPx;
-  block.leastScreenRadiusPx = kernel::kLeastScreenRadiusPx;
+  block.screenRadiusPx = screen.radiusPx;
+  block.smallDiscPx = screen.smallDiscPx;
+  block.leastScreenRadiusPx = screen.leastRadiusPx;
   block.visibleShare = kernel::kVisibleShare;
   block.depthBand = kernel::kDepthBand;
   block.normalCosine = kernel::kNormalCosine;
@@ -50,7 +51,7 @@ void setKernelAndLight(FrameBlock& block) {
 FrameBlock makeFrameBlock(const View& view, const Appearance& appearance, bool isBlended) {
   FrameBlock block{};
   setView(block, view);
-  setKernelAndLight(block);
+  setKernelAndLight(block, appearance.isOneOfMany);
   block.selectionColor = linearOf(appearance.selectionColor);
   block.selectionShare = kernel::kSelectionShare;
   if (appearance.brush) {
@@ -67,6 +68,7 @@ FrameBlock makeFrameBlock(const View& view, const Appearance& appearance, bool i
   block.isTwoSided = appearance.twoSided;
   block.splatMode = static_cast<std::uint32_t>(appearance.mode);
   block.isBlended = isBlended;
+  block.isOneOfMany = appearance.isOneOfMany;
   return block;
 }
 

@@ -34,8 +34,10 @@ struct FrameBlock {
   std::uint32_t isLit, isTwoSided, splatMode, isBlended;
   float headLight, ringPx, ringFill;
   float visibleShare, smallDiscPx, leastScreenRadiusPx;
+  std::uint32_t isOneOfMany;
+  std::array<std::uint32_t, 3> padding;  // blocks end at whole vectors
 };
-static_assert(sizeof(FrameBlock) == 240);
+static_assert(sizeof(FrameBlock) == 256);
 
 /// `isBlended`: the surface is read from sums, as after the attribute pass, not from the visible splat alone.
 FrameBlock makeFrameBlock(const View& view, const Appearance& appearance, bool isBlended);

@@ -106,26 +106,26 @@ void printConvergence(Workbench& bench) {
     Hierarchy& hierarchy = bench.hierarchy();
     hierarchy.isClosedAndOriented = isClosed;
     Times first, all;
-    PictureErrors errors;
+    float tau = 3;
     for (int repetition = 0; repetition < 3; ++repetition) {
       const Stopwatch watch;
-      for (int frame = 0; frame < 16; ++frame) {
-        View view = bench.view();
-        view.jitterPx = jitterOf(frame);
-        const Cut cut = selectCut(hierarchy, view, {.tau = 3});
-        bench.renderer.draw(hierarchy, cut.nodes, view, bench.appearance,
-                            frame == 0 ? Accumulate::kStartAnew : Accumulate::kAddToMean, nullptr);
-        const Image image = bench.renderer.image();
-        if (frame == 0) first.add(watch);
-      }
-      all.add(watch);
+      const Cut cut = selectCut(hierarchy, bench.view(), {});
+      bench.renderer.draw(hierarchy, cut.nodes, bench.view(), bench.appearance, Accumulate::kStartAnew,
+                          nullptr);
+      const Image converged = bench.renderer.image();
+      first.add(watch);
+      const Stopwatch mean;
+      tau = tauOfMean(cut.tau, cut.nodes.size());
+      drawMeanOfFrames(bench, hierarchy, bench.view(), tau, 16);
+      const Image image = bench.renderer.image();
+      all.add(mean);
     }
-    errors = comparePictures(bench.reference(), takePicture(bench.renderer), kNoDepth);
+    const PictureErrors errors = comparePictures(bench.reference(), takePicture(bench.renderer), kNoDepth);
     fmt::print(
-        "converged (tau 3) {:.0f} ms, 16 frames accumulated {:.0f} ms{}: {:.2f} dB, with edges {:.2f}, SSIM "
-        "{:.3f}\n",
-        first.median(), all.median(), isClosed ? ", known closed" : "", errors.psnr, errors.psnrWithEdges,
-        errors.ssim);
+        "converged (tau 3) {:.0f} ms, 16 frames at tau {:.2g} accumulated {:.0f} ms{}: {:.2f} dB, with edges "
+        "{:.2f}, SSIM {:.3f}\n",
+        first.median(), tau, all.median(), isClosed ? ", known closed" : "", errors.psnr,
+        errors.psnrWithEdges, errors.ssim);
   }
   bench.hierarchy().isClosedAndOriented = false;
 }

@@ -27,6 +27,18 @@ View Workbench::view(float turned) const {
                    options.height);
 }
 
+void drawMeanOfFrames(Workbench& bench, const Hierarchy& hierarchy, const View& view, float tau, int frames) {
+  Appearance appearance = bench.appearance;
+  appearance.isOneOfMany = true;
+  for (int frame = 0; frame < frames; ++frame) {
+    View shifted = view;
+    shifted.jitterPx = jitterOf(frame);
+    const Cut cut = selectCut(hierarchy, shifted, {.tau = tau});
+    bench.renderer.draw(hierarchy, cut.nodes, shifted, appearance,
+                        frame == 0 ? Accumulate::kStartAnew : Accumulate::kAddToMean, nullptr);
+  }
+}
+
 glm::vec2 jitterOf(int frame) {
   // Rows in bit-reversed order, so that any prefix is spread.
   constexpr std::array<int, 4> kOrder{0, 2, 1, 3};

@@ -63,6 +63,9 @@ class Times {
   std::vector<double> wall_, cpu_;
 };
 
+/// The mean of jittered frames, as it is shown at rest.
+void drawMeanOfFrames(Workbench& bench, const Hierarchy& hierarchy, const View& view, float tau, int frames);
+
 /// One of 16 positions within the pixel, centered.
 glm::vec2 jitterOf(int frame);
 

@@ -32,6 +32,15 @@ std::vector<int> coverOf(const Hierarchy& h, const std::vector<Index>& nodes) {
   return cover;
 }
 
+TEST(Cut, TheMeanIsAsFineAsItsNumberOfNodesAllows) {
+  EXPECT_FLOAT_EQ(tauOfMean(3, 0), 2);
+  EXPECT_FLOAT_EQ(tauOfMean(3, 100'000), 2);
+  EXPECT_FLOAT_EQ(tauOfMean(3, 100'000'000), 3);
+  // The number of nodes goes with 1 / tau^2: any cut of a view leads to the same.
+  EXPECT_NEAR(tauOfMean(3, 1'500'000), tauOfMean(6, 375'000), 1e-4);
+  EXPECT_NEAR(tauOfMean(3, 1'500'000), tauOfMean(2, 3'375'000), 1e-4);
+}
+
 TEST(Cut, CoversEachLeafOnceWithoutCulling) {
   for (const Projection projection : {Projection::kPerspective, Projection::kOrthographic}) {
     for (const float zoom : {0.2f, 1.f, 5.f, 60.f}) {

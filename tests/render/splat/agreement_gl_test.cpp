@@ -149,9 +149,11 @@ TEST_F(AgreementTest, WhatAppearanceOffers) {
 TEST_F(AgreementTest, MeanOfShiftedFrames) {
   Pair pair(scenes::hierarchyOf(scenes::torus(20'000)));
   View view = frameView({.radius = 1.4f}, {.pitch = 0.7f}, 200, 150);
+  Appearance appearance;
+  appearance.isOneOfMany = true;
   for (int frame = 0; frame < 5; ++frame) {
     view.jitterPx = {0.2f * static_cast<float>(frame) - 0.4f, 0.3f - 0.15f * static_cast<float>(frame)};
-    pair.draw("frame " + std::to_string(frame), view, {},
+    pair.draw("frame " + std::to_string(frame), view, appearance,
               frame == 0 ? Accumulate::kStartAnew : Accumulate::kAddToMean);
   }
 }
