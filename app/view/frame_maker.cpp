@@ -162,10 +162,12 @@ void FrameMaker::draw(const Pass& pass, const View& view, const Progress* progre
     splats_ = 0;
     tau_ = RateControl::kFinest;
   } else {
-    const Cut cut = selectCut(surface_.hierarchy(), view, {.tau = pass.tau}, &cutMemory_, progress);
-    renderer_->draw(surface_.hierarchy(), cut.nodes, view, appearance, pass.accumulate, progress);
-    splats_ = static_cast<Index>(cut.nodes.size());
-    tau_ = cut.tau;
+    // Frames of a mean share the cut of the first.
+    if (pass.accumulate == Accumulate::kStartAnew)
+      cut_ = selectCut(surface_.hierarchy(), view, {.tau = pass.tau}, &cutMemory_, progress);
+    renderer_->draw(surface_.hierarchy(), cut_.nodes, view, appearance, pass.accumulate, progress);
+    splats_ = static_cast<Index>(cut_.nodes.size());
+    tau_ = cut_.tau;
   }
   milliseconds_ = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
   drawnView_ = view;

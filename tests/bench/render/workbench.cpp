@@ -30,10 +30,10 @@ View Workbench::view(float turned) const {
 void drawMeanOfFrames(Workbench& bench, const Hierarchy& hierarchy, const View& view, float tau, int frames) {
   Appearance appearance = bench.appearance;
   appearance.isOneOfMany = true;
+  const Cut cut = selectCut(hierarchy, view, {.tau = tau});
   for (int frame = 0; frame < frames; ++frame) {
     View shifted = view;
     shifted.jitterPx = jitterOf(frame);
-    const Cut cut = selectCut(hierarchy, shifted, {.tau = tau});
     bench.renderer.draw(hierarchy, cut.nodes, shifted, appearance,
                         frame == 0 ? Accumulate::kStartAnew : Accumulate::kAddToMean, nullptr);
   }
