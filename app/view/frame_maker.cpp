@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/hierarchy/hidden_nodes.h"
 #include "render/hierarchy/jitter.h"
 #include "render/hierarchy/splat_radii.h"
 
@@ -171,6 +172,7 @@ void FrameMaker::draw(const Pass& pass, const View& view, const Progress* progre
   }
   milliseconds_ = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
   drawnView_ = view;
+  isMean_ = pass.isOneOfMany;
   touched_.clear();
   shownRevision_ = revision_;
 }
@@ -211,12 +213,21 @@ bool FrameMaker::refinePicture(const Progress* interrupt) {
   return true;
 }
 
+// Of the cut that was drawn last.
+void FrameMaker::leaveOutHidden() {
+  if (splats_ == 0) return;  // triangles
+  cut_.nodes = withoutHidden(surface_.hierarchy(), cut_.nodes, drawnView_, renderer_->depth());
+  splats_ = static_cast<Index>(cut_.nodes.size());
+}
+
 // Only the mean of all frames is shown: on the way to it the picture rests.
 bool FrameMaker::averagePicture(const Progress* interrupt) {
   View view = *view_;
   view.jitterPx = jitterOfFrame(averaged_);
   if (averaged_ == 0) {
+    leaveOutHidden();
     draw({.tau = tauOfMean(tau_, splats_), .isOneOfMany = true}, view, interrupt);
+    leaveOutHidden();
   } else {
     draw({.tau = tau_, .accumulate = Accumulate::kAddToMean, .isOneOfMany = true}, view, interrupt);
   }
@@ -243,6 +254,7 @@ bool FrameMaker::improveSurface(const Progress* interrupt) {
 }
 
 bool FrameMaker::redrawTouched() {
+  if (isMean_) return refinePicture(nullptr);
   const auto begin = Clock::now();
   std::ranges::sort(touched_, {}, &NodeRange::begin);
   std::vector<NodeRange> ranges;

@@ -129,6 +129,7 @@ class FrameMaker {
   bool drawCoarse();
   View drawnSize(const View& view, int coarseness) const;
   bool refinePicture(const Progress* interrupt);
+  void leaveOutHidden();
   bool averagePicture(const Progress* interrupt);
   bool improvesInPlace() const;
   bool improveSurface(const Progress* interrupt);
@@ -147,7 +148,8 @@ class FrameMaker {
   Appearance appearance_;
   RateControl rate_, coarseRate_;  // with plain and with coarse pixels
   CutMemory cutMemory_;
-  Cut cut_;  // that was drawn last
+  Cut cut_;              // that was drawn last
+  bool isMean_ = false;  // what was drawn last is a frame of a mean: not to be changed in part
   std::optional<Unrefined> unrefined_;
   // Colored otherwise since the colors that a better hierarchy will come with; none: too many to list.
   std::optional<std::vector<Index>> recolored_;

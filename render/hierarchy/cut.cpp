@@ -225,7 +225,7 @@ bool CutSelection::select(std::vector<Index>& nodes, const Progress* progress) {
 }
 
 float tauOfMean(float tau, std::size_t nodes) {
-  constexpr float kNodes = 2.2e6f, kFinest = 2;
+  constexpr float kNodes = 2e6f, kFinest = 2;
   // The number of nodes goes with 1 / tau^2.
   return std::clamp(tau * std::sqrt(static_cast<float>(nodes) / kNodes), kFinest, CutOptions().tau);
 }

@@ -16,9 +16,9 @@ struct CutOptions {
   bool cullBackfaces = true;  ///< only of closed and oriented models, seen from outside
 };
 
-/// tau of frames whose mean is shown, given a cut of the same view: down to 2, because the mean does without
-/// the filter of coarser nodes, which blurs edges of color; not so low that 16 frames of millions of nodes
-/// take more than about two seconds of two cores; at most the default.
+/// tau of frames whose mean is shown, given the nodes of a cut of the same view that are seen: down to 2,
+/// because the mean does without the filter of coarser nodes, which blurs edges of color; not so low that 16
+/// frames of millions of nodes take more than about two seconds of two cores; at most the default.
 float tauOfMean(float tau, std::size_t nodes);
 
 /// The nodes that are opened in the last cut: keeps a node as it was until its size passes the threshold

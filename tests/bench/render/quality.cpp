@@ -5,6 +5,7 @@
 
 #include "render/appearance/light.h"
 #include "render/hierarchy/closedness.h"
+#include "render/hierarchy/hidden_nodes.h"
 #include "render/hierarchy/splat_radii.h"
 #include "tests/bench/render/naive_points.h"
 #include "tests/bench/render/workbench.h"
@@ -100,7 +101,10 @@ void printCase(Workbench& bench, const Case& c) {
                naiveErrors.psnr);
     }
     hierarchy.isClosedAndOriented = isClosedAndOriented(PointSet(c.samples.positions), hierarchy);
-    const float tau = tauOfMean(3, selectCut(hierarchy, c.view, {.tau = 3}).nodes.size());
+    const Cut cut = selectCut(hierarchy, c.view, {.tau = 3});
+    bench.renderer.draw(hierarchy, cut.nodes, c.view, bench.appearance, Accumulate::kStartAnew, nullptr);
+    const float tau =
+        tauOfMean(3, withoutHidden(hierarchy, cut.nodes, c.view, bench.renderer.depth()).size());
     printRow(c, fmt::format("tau {:.2g} x 16 {}", tau, origin), drawMean(bench, c, hierarchy, tau),
              naiveErrors.psnr);
   };

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "render/hierarchy/hidden_nodes.h"
 #include "tests/bench/render/naive_points.h"
 #include "tests/bench/render/workbench.h"
 
@@ -115,7 +116,8 @@ void printConvergence(Workbench& bench) {
       const Image converged = bench.renderer.image();
       first.add(watch);
       const Stopwatch mean;
-      tau = tauOfMean(cut.tau, cut.nodes.size());
+      tau = tauOfMean(cut.tau,
+                      withoutHidden(hierarchy, cut.nodes, bench.view(), bench.renderer.depth()).size());
       drawMeanOfFrames(bench, hierarchy, bench.view(), tau, 16);
       const Image image = bench.renderer.image();
       all.add(mean);

@@ -1,5 +1,6 @@
 #include "tests/bench/render/workbench.h"
 
+#include "render/hierarchy/hidden_nodes.h"
 #include "tests/support/sampled_hierarchy.h"
 
 namespace stipple {
@@ -30,12 +31,13 @@ View Workbench::view(float turned) const {
 void drawMeanOfFrames(Workbench& bench, const Hierarchy& hierarchy, const View& view, float tau, int frames) {
   Appearance appearance = bench.appearance;
   appearance.isOneOfMany = true;
-  const Cut cut = selectCut(hierarchy, view, {.tau = tau});
+  std::vector<Index> nodes = selectCut(hierarchy, view, {.tau = tau}).nodes;
   for (int frame = 0; frame < frames; ++frame) {
     View shifted = view;
     shifted.jitterPx = jitterOf(frame);
-    bench.renderer.draw(hierarchy, cut.nodes, shifted, appearance,
+    bench.renderer.draw(hierarchy, nodes, shifted, appearance,
                         frame == 0 ? Accumulate::kStartAnew : Accumulate::kAddToMean, nullptr);
+    if (frame == 0) nodes = withoutHidden(hierarchy, nodes, shifted, bench.renderer.depth());
   }
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/hierarchy/hidden_nodes.h"
 #include "render/hierarchy/jitter.h"
 #include "render/splat/cpu_renderer.h"
 #include "tests/support/splat_scenes.h"
@@ -53,6 +54,44 @@ TEST(MeanOfFrames, ASinglePointDoesNotFade) {
   const Hierarchy hierarchy = scenes::hierarchyOf(surface);
   const View view = frameView({}, {.pitch = 1.2f}, 200, 200);
   EXPECT_NEAR(coveredArea(hierarchy, view, 2), 2, 0.5);
+}
+
+// Even points, without a hole in any frame: along a spiral, turned by the golden angle from one to the next.
+scenes::Surface spiralSphere(int count) {
+  scenes::Surface surface;
+  for (int i = 0; i < count; ++i) {
+    const double z = 1 - (2 * i + 1.) / count, turn = std::numbers::pi * (3 - std::sqrt(5.)) * i;
+    const double ring = std::sqrt(1 - z * z);
+    surface.positions.emplace_back(ring * std::cos(turn), ring * std::sin(turn), z);
+  }
+  surface.normals = surface.positions;
+  scenes::finish(surface, 4 * std::numbers::pi_v<float>);
+  return surface;
+}
+
+// What is left out of the frames after the first was hidden there: they are the same to the bit.
+TEST(MeanOfFrames, HiddenNodesDoNotChangeAPixel) {
+  const Hierarchy hierarchy = scenes::hierarchyOf(spiralSphere(400'000));
+  for (const float zoom : {0.3f, 1.f, 3.f}) {
+    View view = frameView({}, {.pitch = 0.4f, .zoom = zoom}, 400, 300);
+    view.jitterPx = jitterOfFrame(0);
+    Appearance appearance;
+    appearance.isOneOfMany = true;
+    CpuRenderer all, some;
+    const Cut cut = selectCut(hierarchy, view, {.tau = 2});
+    all.draw(hierarchy, cut.nodes, view, appearance, Accumulate::kStartAnew, nullptr);
+    const std::vector<Index> seen = withoutHidden(hierarchy, cut.nodes, view, all.depth());
+    // The back, half of the sphere, but for a rim.
+    const double share = static_cast<double>(seen.size()) / static_cast<double>(cut.nodes.size());
+    EXPECT_LE(share, zoom == 1 ? 0.65 : 1) << zoom;
+    for (int frame = 0; frame < kFrames; ++frame) {
+      view.jitterPx = jitterOfFrame(frame);
+      all.draw(hierarchy, cut.nodes, view, appearance, Accumulate::kStartAnew, nullptr);
+      some.draw(hierarchy, seen, view, appearance, Accumulate::kStartAnew, nullptr);
+      ASSERT_EQ(all.depth(), some.depth()) << zoom << " " << frame;
+      ASSERT_TRUE(all.image().pixels == some.image().pixels) << zoom << " " << frame;
+    }
+  }
 }
 
 }  // namespace
