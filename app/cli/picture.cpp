@@ -39,8 +39,7 @@ PictureMaker::PictureMaker(const Scene& scene, const RenderOptions& options, Ren
 Image PictureMaker::take(const CameraAngles& camera, Progress& progress) {
   const View view = frameView(scene_.sphere, camera, options_.width, options_.height);
   if (!options_.drawsTriangles) {
-    cut_ = seconds_.measure(
-        "cut", [&] { return selectCut(scene_.hierarchy, view, {.tau = options_.tau}, nullptr, &progress); });
+    cut_ = seconds_.measure("cut", [&] { return cutOf(view, progress); });
   }
   return seconds_.measure("draw", [&] {
     drawFrames(view, progress);
@@ -50,6 +49,18 @@ Image PictureMaker::take(const CameraAngles& camera, Progress& progress) {
     }
     return image;
   });
+}
+
+Cut PictureMaker::cutOf(const View& view, const Progress& progress) const {
+  const auto select = [&](float tau) {
+    return selectCut(scene_.hierarchy, view, {.tau = tau}, nullptr, &progress);
+  };
+  if (options_.tau > 0) return select(options_.tau);
+  Cut cut = select(CutOptions().tau);
+  if (options_.supersample == 1) return cut;
+  // About half of the nodes is hidden.
+  const float finer = tauOfMean(cut.tau, cut.nodes.size() / 2);
+  return finer < cut.tau ? select(finer) : cut;
 }
 
 void PictureMaker::drawFrames(const View& view, Progress& progress) {

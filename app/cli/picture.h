@@ -25,6 +25,7 @@ class PictureMaker {
   std::size_t splats() const { return cut_.nodes.size(); }
 
  private:
+  Cut cutOf(const View& view, const Progress& progress) const;
   void drawFrames(const View& view, Progress& progress);
   std::vector<float> depthOf(const View& view, const Progress& progress) const;
 

@@ -186,7 +186,8 @@ void addQualityOptions(CLI::App& command, RenderOptions& options) {
       [&options](std::size_t choice) { options.backend = static_cast<Backend>(choice); },
       "What draws (auto: gl on graphics hardware, otherwise cpu)");
   addNumber(command, "--tau", options.tau, {0.01, 1000},
-            fmt::format("Pixels across of the coarsest splats ({})", options.tau));
+            fmt::format("Pixels across of the coarsest splats ({}; down to 2 in a mean of frames)",
+                        CutOptions().tau));
   command.add_option("--supersample", options.supersample, "N x N samples a pixel (0: 16 spread ones)")
       ->check(CLI::Range(0, kMostSupersampling));
 }

@@ -24,7 +24,7 @@ struct RenderOptions {
   Appearance appearance;        ///< with the mode of splats
   std::string glyphs;           ///< attribute; empty: none
   Backend backend = Backend::kAuto;
-  float tau = CutOptions{}.tau;
+  float tau = 0;        ///< pixels; 0: what a frame for itself, or a mean of frames, needs
   int supersample = 0;  ///< N x N frames; 0: enough for a picture without steps
   bool json = false;
 };
