@@ -172,7 +172,6 @@ void FrameMaker::draw(const Pass& pass, const View& view, const Progress* progre
   }
   milliseconds_ = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
   drawnView_ = view;
-  isMean_ = pass.isOneOfMany;
   touched_.clear();
   shownRevision_ = revision_;
 }
@@ -254,7 +253,6 @@ bool FrameMaker::improveSurface(const Progress* interrupt) {
 }
 
 bool FrameMaker::redrawTouched() {
-  if (isMean_) return refinePicture(nullptr);
   const auto begin = Clock::now();
   std::ranges::sort(touched_, {}, &NodeRange::begin);
   std::vector<NodeRange> ranges;

@@ -148,8 +148,7 @@ class FrameMaker {
   Appearance appearance_;
   RateControl rate_, coarseRate_;  // with plain and with coarse pixels
   CutMemory cutMemory_;
-  Cut cut_;              // that was drawn last
-  bool isMean_ = false;  // what was drawn last is a frame of a mean: not to be changed in part
+  Cut cut_;  // that was drawn last
   std::optional<Unrefined> unrefined_;
   // Colored otherwise since the colors that a better hierarchy will come with; none: too many to list.
   std::optional<std::vector<Index>> recolored_;
