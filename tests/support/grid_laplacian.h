@@ -45,14 +45,3 @@ inline stipple::SparseMatrix shiftedGridLaplacian(int width, int height, double 
   for (int i = 0; i < matrix.rows(); ++i) matrix.coeffRef(i, i) += shift;
   return matrix;
 }
-
-/// Yes to cancel from the first question, or from the one after `patience` answers.
-class CancelAfter final : public stipple::Progress {
- public:
-  explicit CancelAfter(int patience) : patience_(patience) {}
-  bool cancelled() const override { return asked_++ >= patience_; }
-
- private:
-  int patience_;
-  mutable int asked_ = 0;
-};

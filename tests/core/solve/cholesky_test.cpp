@@ -6,6 +6,7 @@
 #include <Eigen/SparseCholesky>
 #include <thread>
 
+#include "tests/support/cancel_after.h"
 #include "tests/support/grid_laplacian.h"
 
 namespace stipple {

@@ -5,6 +5,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "tests/support/cancel_after.h"
 #include "tests/support/grid_laplacian.h"
 
 namespace stipple {

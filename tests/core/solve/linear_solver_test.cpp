@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "tests/support/cancel_after.h"
 #include "tests/support/grid_laplacian.h"
 
 namespace stipple {

@@ -10,8 +10,8 @@
 #include <random>
 
 #include "core/io/point_io.h"
+#include "tests/support/cancel_after.h"
 #include "tests/support/creased_shapes.h"
-#include "tests/support/grid_laplacian.h"
 #include "tests/support/identical.h"
 #include "tests/support/shapes.h"
 #include "tests/support/test_data.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/support/grid_laplacian.h"
+#include "tests/support/cancel_after.h"
 #include "tests/support/identical.h"
 #include "tests/support/shapes.h"
 

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -13,6 +12,7 @@
 #include "core/parallel.h"
 #include "plugins/fairing/resampling.h"
 #include "tests/plugins/fairing/faired.h"
+#include "tests/support/cancel_after.h"
 #include "tests/support/identical.h"
 #include "tests/support/shapes.h"
 #include "tests/support/undoable.h"
@@ -235,14 +235,6 @@ TEST(Fairing, ResamplingInsertsWhereTheSurfaceStretches) {
 
 // Whenever it is stopped, the result is that of the step before.
 TEST(Fairing, CanBeCancelledAnywhere) {
-  class After final : public Progress {
-   public:
-    explicit After(int calls) : left_(calls) {}
-    bool cancelled() const override { return left_-- <= 0; }
-
-   private:
-    mutable std::atomic<int> left_;
-  };
   const PointSet points(spiral(1500));
   const Settings settings{{"resample", true}, {"refresh", std::int64_t{1}}, {"time_step", 2.0}};
   bool isDone = false;
@@ -252,7 +244,7 @@ TEST(Fairing, CanBeCancelledAnywhere) {
     run->step(progress);
     const RunResult first = run->result();
     try {
-      After limited(calls);
+      CancelAfter limited(calls);
       run->step(limited);
       isDone = true;
     } catch (const Cancelled&) {

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "tests/plugins/inpainting/inpaint_points.h"
-#include "tests/support/grid_laplacian.h"
+#include "tests/support/cancel_after.h"
 #include "tests/support/identical.h"
 #include "tests/support/shapes.h"
 

@@ -12,7 +12,7 @@
 #include "plugins/inpainting/fills.h"
 #include "plugins/inpainting/relief.h"
 #include "tests/plugins/inpainting/inpaint_points.h"
-#include "tests/support/grid_laplacian.h"
+#include "tests/support/cancel_after.h"
 #include "tests/support/shapes.h"
 
 namespace stipple {

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "tests/plugins/segmentation/segment_points.h"
-#include "tests/support/grid_laplacian.h"
+#include "tests/support/cancel_after.h"
 #include "tests/support/shapes.h"
 
 namespace stipple {
