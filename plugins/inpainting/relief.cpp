@@ -1,5 +1,6 @@
 #include "plugins/inpainting/relief.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numeric>
 
@@ -27,8 +28,32 @@ void averageOverFans(const Fans& fans, const std::vector<Eigen::Vector3d>& from,
       progress);
 }
 
+// Of the triangles of each fan, by area, on the side of the given ones, averaged over fans once: finer than
+// planes through many neighbors, which round hollows off.
+std::vector<Eigen::Vector3d> fineNormals(const Discretization& d, std::span<const Eigen::Vector3f> oriented,
+                                         const Progress* progress) {
+  std::vector<Eigen::Vector3d> normals(d.size()), averaged(d.size());
+  for (Index i = 0; i < d.size(); ++i) {
+    const std::span<const Index> fan = d.fans.of(i);
+    const std::span<const std::uint8_t> flags = d.fans.flagsOf(i);
+    const auto edge = [&](std::size_t n) {
+      return (d.sites.positions[fan[n % fan.size()]] - d.sites.positions[i]).cast<double>().eval();
+    };
+    const Eigen::Vector3d rough = oriented[i].cast<double>();
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (std::size_t n = 0; n < fan.size(); ++n) {
+      if (!(flags[n] & Fans::kGapAfter)) sum += edge(n).cross(edge(n + 1));
+    }
+    const double side = sum.dot(rough);
+    normals[i] = side != 0 ? (sum * (side / std::abs(side))).normalized().eval() : rough;
+  }
+  averageOverFans(d.fans, normals, averaged, progress);
+  for (Eigen::Vector3d& n : averaged) n.normalize();
+  return averaged;
+}
+
 // n . (x - mean) / (h sqrt(rounds)), h the mean spacing: of one size at every scale on rough surfaces.
-void describeHeights(const Discretization& d, const std::vector<Eigen::Vector3f>& normals, Relief& relief,
+void describeHeights(const Discretization& d, std::span<const Eigen::Vector3d> normals, Relief& relief,
                      const Progress* progress) {
   const double area = std::accumulate(d.mass.begin(), d.mass.end(), 0.0);
   const double spacing = std::sqrt(area / std::max<double>(d.size(), 1));
@@ -42,7 +67,7 @@ void describeHeights(const Discretization& d, const std::vector<Eigen::Vector3f>
     }
     for (Index i = 0; i < d.size(); ++i) {
       const Eigen::Vector3d out = d.sites.positions[i].cast<double>() - means[i];
-      relief(i, column) = normals[i].cast<double>().dot(out) / (spacing * std::sqrt(wanted));
+      relief(i, column) = normals[i].dot(out) / (spacing * std::sqrt(wanted));
     }
     ++column;
   }
@@ -52,9 +77,10 @@ void describeHeights(const Discretization& d, const std::vector<Eigen::Vector3f>
 
 Relief describeRelief(const Discretization& d, const Progress* progress) {
   Relief relief(d.size(), kReliefSize);
-  const std::vector<Eigen::Vector3f> normals = orientNormals(d, PointSet(), progress).normals;
+  const std::vector<Eigen::Vector3d> normals =
+      fineNormals(d, orientNormals(d, PointSet(), progress).normals, progress);
   for (Index i = 0; i < d.size(); ++i) {
-    const Eigen::Vector3d n = normals[i].cast<double>();
+    const Eigen::Vector3d& n = normals[i];
     relief.row(i).head<kFirstHeight>() << n.x(), n.y(), n.z(), n.x() * n.y(), n.y() * n.z(), n.z() * n.x(),
         n.x() * n.x() - n.y() * n.y(), 3 * n.z() * n.z() - 1;
   }
