@@ -9,6 +9,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/geometry/fan_normals.h"
 #include "core/geometry/orientation.h"
 #include "core/points/field.h"
 #include "plugins/fairing/resampling.h"
@@ -271,7 +272,7 @@ void FairingRun::write() {
     places.row(site) = rows_[sites.pointOfSite[site]].place.transpose();
     along[site] = rows_[sites.pointOfSite[site]].normal;
   }
-  const std::vector<Eigen::Vector3f> normals = surface_->normalsAt(places, along);
+  const std::vector<Eigen::Vector3f> normals = fanNormals(surface_->discretization().fans, places, along);
   const std::span<Eigen::Vector3f> positions = result_.editPositions();
   const std::span<Eigen::Vector3f> written = result_.edit<Eigen::Vector3f>("normal");
   const std::span<float> displacement = result_.edit<float>("displacement");

@@ -20,10 +20,6 @@ class FairingSurface {
   double noise() const { return noise_; }  ///< in mean spacings
   int neighbors() const { return neighbors_; }
 
-  /// Normals of the fans with their sites moved to `places` (m x 3), each on the side of the one in `along`.
-  std::vector<Eigen::Vector3f> normalsAt(const Eigen::MatrixXd& places,
-                                         const std::vector<Eigen::Vector3f>& along) const;
-
  private:
   Discretization discretization_;
   SparseMatrix stiffness_;

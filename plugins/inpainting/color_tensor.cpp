@@ -18,7 +18,6 @@ constexpr int kRounds = 10;
 constexpr double kNoEdge = 0.5, kEdge = 0.8;
 // Gradients count from this share of their mean square over the mask on.
 constexpr double kFaintShare = 0.03;
-constexpr double kRough = 3;
 constexpr double kLeastAcross = 1e-3, kLeastClassifier = 1e-3;
 
 // J by its entries xx, yy, zz, xy, xz, yz; rows are sites.
@@ -77,18 +76,6 @@ void average(const Fans& fans, std::span<const std::uint8_t> chosen, Structure& 
   structure = std::move(means);
 }
 
-// Median over known sites of the trace: 0 where colors are even but for a few edges, large where all is rough.
-double roughnessOf(const Structure& structure, std::span<const std::uint8_t> isClean) {
-  std::vector<double> traces;
-  for (std::size_t site = 0; site < isClean.size(); ++site) {
-    if (isClean[site]) traces.push_back(structure.row(static_cast<Eigen::Index>(site)).head<3>().sum());
-  }
-  if (traces.empty()) return 0;
-  const auto middle = traces.begin() + static_cast<std::ptrdiff_t>(traces.size() / 2);
-  std::ranges::nth_element(traces, middle);
-  return *middle;
-}
-
 // Harmonic: components of J between known ones, free of creases.
 void continueInto(const Hole& hole, std::span<const std::uint8_t> isClean, Structure& structure,
                   const Progress* progress) {
@@ -127,18 +114,15 @@ Eigen::Matrix3d tensorOf(const Eigen::Matrix<double, 1, 6>& j, double faint) {
 std::vector<Eigen::Matrix3d> edgeTensors(const Hole& hole, EdgeSource source, const Progress* progress) {
   const Discretization& d = hole.discretization;
   Structure structure = structureOf(hole, progress);
-  const std::vector<std::uint8_t> isClean = findClean(hole);
   const bool fromKnown = source == EdgeSource::kKnown;
   const std::vector<std::uint8_t> chosen =
-      fromKnown ? isClean : std::vector<std::uint8_t>(d.size(), 1);
+      fromKnown ? findClean(hole) : std::vector<std::uint8_t>(d.size(), 1);
   for (int round = 0; round < kRounds; ++round) average(d.fans, chosen, structure, progress);
-  const double roughness = kRough * roughnessOf(structure, isClean);
   if (fromKnown) continueInto(hole, chosen, structure, progress);
 
   double sum = 0;
   for (const Index site : hole.unknown) sum += structure.row(site).head<3>().sum();
-  const double faint = roughness +
-      kFaintShare * sum / static_cast<double>(std::max<std::size_t>(hole.unknown.size(), 1));
+  const double faint = kFaintShare * sum / static_cast<double>(std::max<std::size_t>(hole.unknown.size(), 1));
   std::vector<Eigen::Matrix3d> tensors(d.size());
   parallelFor(
       d.size(), 2048,

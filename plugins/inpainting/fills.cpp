@@ -70,7 +70,8 @@ HarmonicFill::HarmonicFill(Hole& hole, const Progress& progress) : solution_(hol
     area += d.mass[site];
     isUnknown[site] = 1;
   }
-  DiffusionOptions options{.timeStep = area / std::numbers::pi / kSteps, .solver = solverFor(hole)};
+  DiffusionOptions options{
+      .timeStep = area / std::numbers::pi / kSteps, .held = {}, .solver = solverFor(hole)};
   options.solver.expectedSolves *= kSteps;
   for (Index site = 0; site < d.size(); ++site) {
     if (!isUnknown[site]) options.held.push_back(site);

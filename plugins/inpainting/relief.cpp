@@ -1,9 +1,9 @@
 #include "plugins/inpainting/relief.h"
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <numeric>
 
+#include "core/geometry/fan_normals.h"
 #include "core/geometry/orientation.h"
 
 namespace stipple {
@@ -28,25 +28,15 @@ void averageOverFans(const Fans& fans, const std::vector<Eigen::Vector3d>& from,
       progress);
 }
 
-// Of the triangles of each fan, by area, on the side of the given ones, averaged over fans once: finer than
-// planes through many neighbors, which round hollows off.
-std::vector<Eigen::Vector3d> fineNormals(const Discretization& d, std::span<const Eigen::Vector3f> oriented,
-                                         const Progress* progress) {
-  std::vector<Eigen::Vector3d> normals(d.size()), averaged(d.size());
-  for (Index i = 0; i < d.size(); ++i) {
-    const std::span<const Index> fan = d.fans.of(i);
-    const std::span<const std::uint8_t> flags = d.fans.flagsOf(i);
-    const auto edge = [&](std::size_t n) {
-      return (d.sites.positions[fan[n % fan.size()]] - d.sites.positions[i]).cast<double>().eval();
-    };
-    const Eigen::Vector3d rough = oriented[i].cast<double>();
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (std::size_t n = 0; n < fan.size(); ++n) {
-      if (!(flags[n] & Fans::kGapAfter)) sum += edge(n).cross(edge(n + 1));
-    }
-    const double side = sum.dot(rough);
-    normals[i] = side != 0 ? (sum * (side / std::abs(side))).normalized().eval() : rough;
-  }
+// Those of the fans, averaged over fans once: finer than planes through many neighbors, which round hollows
+// off, and steadier than single fans.
+std::vector<Eigen::Vector3d> fineNormals(const Discretization& d, const Progress* progress) {
+  Eigen::MatrixXd places(d.size(), 3);
+  for (Index i = 0; i < d.size(); ++i) places.row(i) = d.sites.positions[i].cast<double>().transpose();
+  const std::vector<Eigen::Vector3f> oriented = orientNormals(d, PointSet(), progress).normals;
+  std::vector<Eigen::Vector3d> normals, averaged(d.size());
+  for (const Eigen::Vector3f& n : fanNormals(d.fans, places, oriented, progress))
+    normals.push_back(n.cast<double>());
   averageOverFans(d.fans, normals, averaged, progress);
   for (Eigen::Vector3d& n : averaged) n.normalize();
   return averaged;
@@ -77,8 +67,7 @@ void describeHeights(const Discretization& d, std::span<const Eigen::Vector3d> n
 
 Relief describeRelief(const Discretization& d, const Progress* progress) {
   Relief relief(d.size(), kReliefSize);
-  const std::vector<Eigen::Vector3d> normals =
-      fineNormals(d, orientNormals(d, PointSet(), progress).normals, progress);
+  const std::vector<Eigen::Vector3d> normals = fineNormals(d, progress);
   for (Index i = 0; i < d.size(); ++i) {
     const Eigen::Vector3d& n = normals[i];
     relief.row(i).head<kFirstHeight>() << n.x(), n.y(), n.z(), n.x() * n.y(), n.y() * n.z(), n.z() * n.x(),

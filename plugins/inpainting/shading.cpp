@@ -1,11 +1,9 @@
 #include "plugins/inpainting/shading.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "core/geometry/site_sets.h"
 #include "plugins/inpainting/relief.h"
@@ -20,22 +18,20 @@ constexpr int kRings = 7;
 constexpr double kFaint = 0.01;
 // A relief that varies by less than this (root of it: radians, spacings) tells nothing.
 constexpr double kLeastDifference = 1e-4;
-// Of the relief and of the trend.
-constexpr int kCoefficients = kReliefSize + 4;
-constexpr double kLeastCorrelation = 1e-3, kMostCorrelation = 0.98;
+// What squared differences along edges (with the weights of the stiffness) count beside squared values. The
+// paint of scans, which is noise here, is alike over some spacings: .2 between neighbors at 1. From .1 to 1.5
+// fills of two scans differ by .1 dB.
+constexpr double kEdges = 1;
+// Columns of what is compared: trend, relief, logs of the channels.
+constexpr int kTrend = 4, kCoefficients = kTrend + kReliefSize;
 constexpr Index kFar = std::numeric_limits<Index>::max();
 
 // Sites of one part of the mask and around it.
 struct Part {
   std::vector<Index> known, unknown;
 };
-// Neighbors that are near a mask are near the same part of it.
-struct Parts {
-  std::vector<Part> parts;
-  std::vector<Index> placeOf;  // of sites among the known of their part; else kFar
-};
 
-Parts partsAround(const Hole& hole) {
+std::vector<Part> partsAround(const Hole& hole) {
   const Fans& fans = hole.discretization.fans;
   std::vector<Index> reached(hole.unknown), rings(fans.size(), kFar);
   for (const Index site : hole.unknown) rings[site] = 0;
@@ -54,77 +50,83 @@ Parts partsAround(const Hole& hole) {
       if (rings[neighbor] != kFar) sets.join(site, neighbor);
     }
   }
-  Parts result{.parts = {}, .placeOf = std::vector<Index>(fans.size(), kFar)};
+  std::vector<Part> parts;
   std::vector<Index> partOfRoot(fans.size(), kFar);
   for (const Index site : reached) {
-    Index& number = partOfRoot[sets.rootOf(site)];
-    if (number == kFar) {
-      number = static_cast<Index>(result.parts.size());
-      result.parts.emplace_back();
+    Index& part = partOfRoot[sets.rootOf(site)];
+    if (part == kFar) {
+      part = static_cast<Index>(parts.size());
+      parts.emplace_back();
     }
-    Part& part = result.parts[number];
-    if (rings[site] > 0) result.placeOf[site] = static_cast<Index>(part.known.size());
-    (rings[site] == 0 ? part.unknown : part.known).push_back(site);
+    (rings[site] == 0 ? parts[part].unknown : parts[part].known).push_back(site);
   }
-  return result;
+  return parts;
 }
 
-// Relief, log of the colors and neither's trend over the known sites of one part.
-struct Samples {
-  Eigen::MatrixXd relief, logs;
+// What is compared at a site: 1 and its place (the trend), its relief, the logs of its channels.
+class Columns {
+ public:
+  using Row = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kCoefficients + 4, 1>;
+
+  Columns(const Sites& sites, const Part& part, const Relief& relief, const Eigen::MatrixXd& logs)
+      : sites_(sites), relief_(relief), logs_(logs) {
+    for (const Index site : part.known) middle_ += placeOf(site) / static_cast<double>(part.known.size());
+    double squares = 0;
+    for (const Index site : part.known) squares += (placeOf(site) - middle_).squaredNorm();
+    scale_ = std::sqrt(static_cast<double>(part.known.size()) / squares);
+  }
+  Row operator()(Index site) const {
+    Row row(kCoefficients + logs_.cols());
+    row << 1, scale_ * (placeOf(site) - middle_), relief_.row(site).transpose(), logs_.row(site).transpose();
+    return row;
+  }
+
+ private:
+  Eigen::Vector3d placeOf(Index site) const { return sites_.positions[site].cast<double>(); }
+
+  const Sites& sites_;
+  const Relief& relief_;
+  const Eigen::MatrixXd& logs_;
+  Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();
+  double scale_;
 };
 
-// Least squares leave the trend out: the fill continues what changes evenly over the whole part.
-void removeTrend(const Discretization& d, const Part& part, Samples& samples) {
-  const auto count = static_cast<Eigen::Index>(part.known.size());
-  Eigen::Matrix<double, Eigen::Dynamic, 4> trend(count, 4);
-  trend.col(0).setOnes();
-  for (Eigen::Index k = 0; k < count; ++k)
-    trend.row(k).tail<3>() = d.sites.positions[part.known[static_cast<std::size_t>(k)]].cast<double>();
-  trend.rightCols<3>().rowwise() -= trend.rightCols<3>().colwise().mean().eval();
-  const Eigen::ColPivHouseholderQR<Eigen::Matrix<double, Eigen::Dynamic, 4>> factors(trend);
-  samples.relief -= trend * factors.solve(samples.relief);
-  samples.logs -= trend * factors.solve(samples.logs);
-}
-
-// How many of the samples tell as much as one that stands for itself: what is left of a channel fades with
-// the distance as r^steps, r its correlation between neighbors; summed over the plane.
-Eigen::RowVectorXd sharingOf(const Fans& fans, const Part& part, std::span<const Index> placeOf,
-                             const Eigen::MatrixXd& left) {
-  Eigen::RowVectorXd products = Eigen::RowVectorXd::Zero(left.cols()), squares = products;
-  for (std::size_t k = 0; k < part.known.size(); ++k) {
-    const auto own = left.row(static_cast<Eigen::Index>(k));
-    for (const Index neighbor : fans.of(part.known[k])) {
-      if (placeOf[neighbor] == kFar) continue;
-      products += own.cwiseProduct(left.row(placeOf[neighbor]));
-      squares += own.cwiseAbs2();
+// Sums of the products of the columns over the known sites of a part, and of their differences over edges.
+using Gram = Eigen::MatrixXd;
+Gram compare(const Discretization& d, const Part& part, const std::vector<std::uint8_t>& isKnown,
+             const Relief& relief, const Eigen::MatrixXd& logs) {
+  const Columns columns(d.sites, part, relief, logs);
+  Gram gram = Gram::Zero(kCoefficients + logs.cols(), kCoefficients + logs.cols());
+  for (const Index i : part.known) {
+    const Columns::Row own = columns(i);
+    gram.selfadjointView<Eigen::Lower>().rankUpdate(own);
+    for (Index e = d.fans.offsets[i]; e < d.fans.offsets[i + 1]; ++e) {
+      const Index j = d.fans.neighbors[e];
+      const double weight = kEdges / 2 * std::max(0.0, d.weights[e]);  // every edge is met twice
+      if (!isKnown[j] || weight == 0) continue;
+      const Columns::Row difference = own - columns(j);
+      gram.selfadjointView<Eigen::Lower>().rankUpdate(difference, weight);
     }
   }
-  Eigen::RowVectorXd sharing(left.cols());
-  for (Eigen::Index c = 0; c < left.cols(); ++c) {
-    const double r = squares[c] > 0
-                         ? std::clamp(products[c] / squares[c], kLeastCorrelation, kMostCorrelation)
-                         : kLeastCorrelation;
-    sharing[c] = 1 + 2 * std::numbers::pi / std::pow(std::log(r), 2);
-  }
-  return sharing;
+  return gram.selfadjointView<Eigen::Lower>();
 }
 
 // Columns are channels; 0 where the relief explains no more than it would by chance.
-Eigen::MatrixXd coefficientsOf(const Discretization& d, const Part& part, std::span<const Index> placeOf,
-                               const Relief& relief, const Eigen::MatrixXd& logs) {
-  const auto count = static_cast<double>(part.known.size());
-  Samples samples{relief(part.known, Eigen::all), logs(part.known, Eigen::all)};
-  removeTrend(d, part, samples);
-  Eigen::MatrixXd matrix = samples.relief.transpose() * samples.relief;
+Eigen::MatrixXd coefficientsOf(const Gram& gram, double count) {
+  const Eigen::Index rest = gram.cols() - kTrend, channels = gram.cols() - kCoefficients;
+  Eigen::Matrix4d trend = gram.topLeftCorner<kTrend, kTrend>();
+  trend.diagonal().array() += 1e-9 * count;  // parts may lie in a plane
+  const Gram detrended =
+      gram.bottomRightCorner(rest, rest) -
+      gram.bottomLeftCorner(rest, kTrend) * trend.ldlt().solve(gram.topRightCorner(kTrend, rest));
+  Eigen::MatrixXd matrix = detrended.topLeftCorner<kReliefSize, kReliefSize>();
   matrix.diagonal().array() += kLeastDifference * count;
-  const Eigen::MatrixXd right = samples.relief.transpose() * samples.logs;
+  const Eigen::MatrixXd right = detrended.topRightCorner(kReliefSize, channels);
   Eigen::MatrixXd coefficients = matrix.ldlt().solve(right);
-  const Eigen::MatrixXd left = samples.logs - samples.relief * coefficients;
-  const Eigen::RowVectorXd sharing = sharingOf(d.fans, part, placeOf, left);
-  for (Eigen::Index c = 0; c < coefficients.cols(); ++c) {
+  for (Eigen::Index c = 0; c < channels; ++c) {
     const double explained = coefficients.col(c).dot(right.col(c));
-    const double byChance = kReliefSize * sharing[c] * left.col(c).squaredNorm() / (count - kCoefficients);
+    const double left = detrended(kReliefSize + c, kReliefSize + c) - explained;
+    const double byChance = std::max(0.0, kReliefSize * left / (count - kCoefficients));
     const bool isMore = std::isfinite(explained) && explained > byChance;
     coefficients.col(c) *= isMore ? 1 - byChance / explained : 0;
   }
@@ -150,15 +152,17 @@ void writeFactors(const Part& part, const Relief& relief, const Eigen::MatrixXd&
 Shading::Shading(const Hole& hole, const Progress* progress) {
   const Discretization& d = hole.discretization;
   if (!hole.isLight || hole.unknown.empty()) return;
+  std::vector<std::uint8_t> isKnown(d.size(), 1);
+  for (const Index site : hole.unknown) isKnown[site] = 0;
   const Relief relief = describeRelief(d, progress);
   if (!relief.allFinite()) return;
   const Eigen::MatrixXd logs = (hole.values.array() + kFaint).log();
   factors_.setOnes(hole.values.rows(), hole.values.cols());
-  const Parts around = partsAround(hole);
-  for (const Part& part : around.parts) {
+  for (const Part& part : partsAround(hole)) {
     // Twice as many as there are unknown coefficients: fewer tell nothing.
-    if (part.known.size() > 2 * kCoefficients)
-      writeFactors(part, relief, coefficientsOf(d, part, around.placeOf, relief, logs), factors_);
+    if (part.known.size() <= 2 * kCoefficients) continue;
+    const Gram gram = compare(d, part, isKnown, relief, logs);
+    writeFactors(part, relief, coefficientsOf(gram, static_cast<double>(part.known.size())), factors_);
   }
 }
 

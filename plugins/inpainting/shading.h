@@ -8,10 +8,10 @@ namespace stipple {
 
 /// The light on the surface in and around a mask, as far as known colors follow the relief: the shape is
 /// known inside the mask, so what hangs on it need not be guessed from the rim. u = s v, log s a linear
-/// function of the relief, found by least squares of |grad log v| over what is known around each part of the
-/// mask: the energy of the harmonic fill, hence the best unbiased estimate where that fill is the best
-/// (universal kriging). Shrunk to no light at all (s = 1) where colors do not follow the relief by more than
-/// chance (James and Stein 1961). Attributes that are not colors have none.
+/// function of the relief, found by least squares of log v, less a linear trend in space, over what is known
+/// around each part of the mask; its values and their differences along edges count (generalized least
+/// squares for paint that is alike over some spacings). Shrunk to no light at all (s = 1) where colors do not
+/// follow the relief by more than chance (James and Stein 1961). Attributes that are not colors have none.
 class Shading {
  public:
   explicit Shading(const Hole& hole, const Progress* progress = nullptr);

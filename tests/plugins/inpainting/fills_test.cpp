@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "tests/plugins/inpainting/inpaint_points.h"
 
@@ -22,6 +23,15 @@ double linear(const Eigen::Vector3f& p) {
   return 0.3 * p.x() - 0.5 * p.y() + 1;
 }
 
+double stripes(const Eigen::Vector3f& p) {
+  return std::sin(2 * std::numbers::pi * (p.x() + 0.3 * p.y()) / 0.12) > 0 ? 1 : 0;
+}
+// Grain without any structure: a hash of the position, uniform in [-.2, .2].
+double grain(const Eigen::Vector3f& p) {
+  const double hash = std::sin(127.1 * p.x() + 311.7 * p.y()) * 43758.5453;
+  return 0.4 * (hash - std::floor(hash)) - 0.2;
+}
+
 // Root mean square over samples of the square.
 double error(const Texture& texture, const char* method) {
   constexpr std::uint64_t kSamples = 6;
@@ -39,6 +49,14 @@ TEST(Fills, ErrorsInAHoleOfTwelveSpacings) {
   EXPECT_LT(error(stepEdge, "tensor"), 0.142);
   for (const char* method : {"harmonic", "biharmonic", "tensor"})
     EXPECT_LT(error(linear, method), 1e-4) << method;
+}
+
+// Edges go on through a grain and close to each other; a grain alone has none.
+TEST(Fills, EdgesGoOnGrainDoesNot) {
+  const auto grainyEdge = [](const Eigen::Vector3f& p) { return stepEdge(p) + grain(p); };
+  EXPECT_LT(error(grainyEdge, "tensor"), 0.75 * error(grainyEdge, "harmonic"));
+  EXPECT_LT(error(stripes, "tensor"), 0.55 * error(stripes, "harmonic"));
+  EXPECT_LT(error(grain, "tensor"), 1.02 * error(grain, "harmonic"));
 }
 
 }  // namespace

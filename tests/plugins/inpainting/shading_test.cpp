@@ -193,6 +193,7 @@ TEST(Relief, StandsOutOfASphereAsItsCurvatureSays) {
   const Discretization d = discretize(PointSet(positions), {}, progress);
   const Relief relief = describeRelief(d);
   const double spacing = std::sqrt(4 * std::numbers::pi / kCount);
+  double found = 0, wantedSum = 0;
   for (Index site = 0; site < d.size(); ++site) {
     double squares = 0;
     for (const Index j : d.fans.of(site))
@@ -201,8 +202,12 @@ TEST(Relief, StandsOutOfASphereAsItsCurvatureSays) {
     const Eigen::Vector3d n = relief.row(site).head<3>();
     const double outside = n.dot(d.sites.positions[site].cast<double>());
     ASSERT_NEAR(std::abs(outside), 1, 1e-3);
-    ASSERT_NEAR(relief(site, 8) * outside, wanted, 0.1 * wanted);
+    // The normal of a fan leans a little, and with it what its uneven middle stands out.
+    ASSERT_NEAR(relief(site, 8) * outside, wanted, 0.25 * wanted);
+    found += relief(site, 8) * outside;
+    wantedSum += wanted;
   }
+  EXPECT_NEAR(found, wantedSum, 0.01 * wantedSum);
 }
 
 }  // namespace
