@@ -16,11 +16,12 @@
 namespace stipple {
 namespace {
 
-// Ten discs on a scan, apart from each other.
+// Ten discs on a scan, apart from each other; drawn anew where no room is left for the last ones.
 std::vector<Index> tenDiscs(const PointSet& points, float radius, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::vector<Eigen::Vector3f> centers;
-  while (centers.size() < 10) {
+  for (int tries = 1; centers.size() < 10; ++tries) {
+    if (tries % 20000 == 0) centers.clear();
     const Eigen::Vector3f candidate = points.positions()[random() % points.size()];
     const bool isFree = std::ranges::all_of(
         centers, [&](const Eigen::Vector3f& c) { return (c - candidate).norm() > 3 * radius; });
@@ -83,12 +84,12 @@ std::vector<Rgba8> fillByGraph(const PointSet& points, std::span<const Index> ma
   return {colors.begin(), colors.end()};
 }
 
-// Three draws of ten masks each, together; in decibels.
+// Six draws of ten masks each, together; in decibels.
 struct Quality {
   double nearest = 0, graph = 0, harmonic = 0, tensor = 0;
 };
 Quality judge(const PointSet& whole, float radiusInSpacings) {
-  constexpr int kDraws = 3;
+  constexpr int kDraws = 6;
   const auto truth = whole.values<Rgba8>("color");
   Progress progress;
   const std::vector<double> mass = discretize(whole, {}, progress).mass;
@@ -117,14 +118,15 @@ testing::Message figuresOf(float radius, const Quality& quality) {
                             << quality.tensor;
 }
 
-// The aim of 3 dB above the nearest color is missed by a little: what stands around a hole does not tell
-// more. The best linear estimate from the colors alone (kriging with the covariance of this scan) is at most
-// .15 dB better than the harmonic fill; the rest of what the tensor has comes from the light on the relief.
+// The aim of 3 dB above the nearest color is missed by a little at 5 spacings: what stands around so small a
+// hole does not tell more. The best linear estimate from the colors alone (kriging with the covariance of
+// this scan) is at most .15 dB better than the harmonic fill; the rest of what the tensor has comes from the
+// light on the relief.
 TEST(InpaintingScans, ColorsComeBackBetterThanFromTheNearestPoint) {
   STIPPLE_NEEDS_TEST_DATA();
   Progress progress;
   const PointSet whole = readPoints(testData("colour/ankylosaurus_mesh.ply"), progress).points;
-  for (const auto& [radius, gain] : {std::pair{5.f, 2.3}, {10.f, 2.8}, {15.f, 2.8}}) {
+  for (const auto& [radius, gain] : {std::pair{5.f, 2.5}, {10.f, 3.0}, {15.f, 3.0}}) {
     const Quality quality = judge(whole, radius);
     SCOPED_TRACE(figuresOf(radius, quality));
     EXPECT_GT(quality.harmonic, quality.graph - 0.05);
@@ -143,7 +145,7 @@ TEST(InpaintingScans, TheLightOfAStatueComesBack) {
     const Quality quality = judge(whole, radius);
     SCOPED_TRACE(figuresOf(radius, quality));
     EXPECT_GT(quality.tensor, quality.graph + 0.3);
-    EXPECT_GT(quality.tensor, quality.harmonic + 0.6);
+    EXPECT_GT(quality.tensor, quality.harmonic + 1.2);
     EXPECT_GT(quality.tensor, quality.nearest);
   }
 }
