@@ -13,10 +13,11 @@ namespace stipple {
 
 namespace {
 
-// On an even surface the 24 nearest of a point lie within 2.8 mean spacings. Three times that: 64 neighbors
-// of a neighbor of a rim (7 spacings), and room for fans that agree only together with others.
+// On an even surface the 24 nearest of a point lie within 2.8 mean spacings. Five times that: 64 neighbors of
+// a neighbor of a rim (7 spacings), room for fans that agree only together with others, and around what the
+// light is found on (7 spacings) what its relief is measured against.
 constexpr int kNearest = 24;
-constexpr float kRadiusInNearest = 3;
+constexpr float kRadiusInNearest = 5;
 // Masked points whose neighborhoods decide how far to look.
 constexpr std::size_t kSample = 512;
 
@@ -120,9 +121,9 @@ MaskPatch cutPatch(const PointSet& whole, std::span<const Index> masked, const P
   for (const Eigen::Vector3f& position : whole.positions()) box.extend(position);
   // About 12 spacings of an even scan.
   float radius = 12 * box.diagonal().norm() / std::sqrt(static_cast<float>(whole.size()));
-  while (radius > 0 && radius < box.diagonal().norm()) {
+  const bool isMostMasked = 2 * masked.size() > whole.size();
+  while (!isMostMasked && radius > 0 && radius < box.diagonal().norm()) {
     MaskPatch patch{.rows = rowsWithin(whole, masked, radius, progress), .points = PointSet()};
-    if (2 * patch.rows.size() > whole.size()) break;
     patch.points = takeRows(whole, patch.rows);
     const float needed = kRadiusInNearest * wideNeighborhood(patch, masked);
     if (needed > 0 && needed <= radius) {
