@@ -101,7 +101,9 @@ void expectResultOrSentence(const std::string& op, const std::filesystem::path& 
     EXPECT_EQ(countLines(run.err), 1) << run.err;
     EXPECT_FALSE(std::filesystem::exists(out));
   }
-  if (kMeasuresMemory) EXPECT_LT(run.peakBytes, kOwnBytes + kBytesOfPoint * before.size());
+  if (kMeasuresMemory) {
+    EXPECT_LT(run.peakBytes, kOwnBytes + kBytesOfPoint * before.size());
+  }
 }
 
 TEST(Matrix, EveryOperatorOnEveryScanGivesAResultOrASentence) {

@@ -120,7 +120,9 @@ TEST_F(DisplayFollowing, OtherTrianglesAreShownWhereTrianglesAre) {
     document.commit("triangulate", difference(document.points(), after));
     const auto change = follower.follow(document.points(), document.changedSince(seen));
     EXPECT_EQ(change.has_value(), asMesh);
-    if (change) EXPECT_EQ(std::get<Restate>(*change).points.triangles().size(), 1u);
+    if (change) {
+      EXPECT_EQ(std::get<Restate>(*change).points.triangles().size(), 1u);
+    }
     document.undo();
   }
 }

@@ -160,8 +160,8 @@ INSTANTIATE_TEST_SUITE_P(Scans, ClosedScans,
                          testing::Values(Scan{"smooth/igea_134k.ply", 2}, Scan{"smooth/armadillo_43k.obj", 2},
                                          Scan{"smooth/kitten.xyz", 0}, Scan{"smooth/bunny_adaptive.off", 2},
                                          Scan{"cad/fandisk.off", 2}, Scan{"cad/rocker-arm.obj", 0}),
-                         [](const auto& info) {
-                           std::string name = info.param.file;
+                         [](const auto& scan) {
+                           std::string name = scan.param.file;
                            std::ranges::replace_if(
                                name, [](char c) { return !std::isalnum(c); }, '_');
                            return name;

@@ -133,7 +133,7 @@ TEST(AttributeSmoothing, ChangesNothingOutsideTheRegion) {
   int changed = 0;
   for (Index i = 0; i < points.size(); ++i) {
     const bool differs = result.values<Eigen::Vector3f>("along")[i] != vectors[i];
-    if (!mask[i]) EXPECT_FALSE(differs);
+    EXPECT_TRUE(mask[i] || !differs);
     changed += differs;
   }
   EXPECT_GT(changed, 1000);
@@ -148,7 +148,8 @@ TEST(AttributeSmoothing, ValuesThatAreNoneTakeNoPart) {
     const PointSet result =
         smooth(points, {{"attribute", std::string("value")}, {"method", std::string(method)}});
     for (Index i = 0; i < 400; ++i) {
-      if (i != 210) EXPECT_NEAR(result.values<float>("value")[i], 3, 1e-5);
+      if (i == 210) continue;
+      EXPECT_NEAR(result.values<float>("value")[i], 3, 1e-5);
     }
     EXPECT_TRUE(std::isinf(result.values<float>("value")[210]));
   }
