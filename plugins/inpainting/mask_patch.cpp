@@ -119,8 +119,8 @@ MaskPatch wholePatch(const PointSet& whole) {
 MaskPatch cutPatch(const PointSet& whole, std::span<const Index> masked, const Progress* progress) {
   Eigen::AlignedBox3f box;
   for (const Eigen::Vector3f& position : whole.positions()) box.extend(position);
-  // About 12 spacings of an even scan.
-  float radius = 12 * box.diagonal().norm() / std::sqrt(static_cast<float>(whole.size()));
+  // About 18 spacings of an even scan: more than is needed there.
+  float radius = 18 * box.diagonal().norm() / std::sqrt(static_cast<float>(whole.size()));
   const bool isMostMasked = 2 * masked.size() > whole.size();
   while (!isMostMasked && radius > 0 && radius < box.diagonal().norm()) {
     MaskPatch patch{.rows = rowsWithin(whole, masked, radius, progress), .points = PointSet()};

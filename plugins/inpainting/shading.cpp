@@ -19,8 +19,8 @@ constexpr double kFaint = 0.01;
 // A relief that varies by less than this (root of it: radians, spacings) tells nothing.
 constexpr double kLeastDifference = 1e-4;
 // What squared differences along edges (with the weights of the stiffness) count beside squared values. The
-// paint of scans, which is noise here, is alike over some spacings: .2 between neighbors at 1. From .1 to 1.5
-// fills of two scans differ by .1 dB.
+// paint of scans, which is noise here, is alike over some spacings: .2 between neighbors at 1. From .2 to 1
+// fills of two scans differ by .1 dB and those of a third gain .2; differences alone cost all three.
 constexpr double kEdges = 1;
 // Columns of what is compared: trend, relief, logs of the channels.
 constexpr int kTrend = 4, kCoefficients = kTrend + kReliefSize;
@@ -127,8 +127,10 @@ Eigen::MatrixXd coefficientsOf(const Gram& gram, double count) {
     const double explained = coefficients.col(c).dot(right.col(c));
     const double left = detrended(kReliefSize + c, kReliefSize + c) - explained;
     const double byChance = std::max(0.0, kReliefSize * left / (count - kCoefficients));
-    const bool isMore = std::isfinite(explained) && explained > byChance;
-    coefficients.col(c) *= isMore ? 1 - byChance / explained : 0;
+    if (std::isfinite(explained) && explained > byChance)
+      coefficients.col(c) *= 1 - byChance / explained;
+    else
+      coefficients.col(c).setZero();
   }
   return coefficients;
 }
