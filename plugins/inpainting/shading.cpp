@@ -18,10 +18,18 @@ constexpr int kRings = 7;
 constexpr double kFaint = 0.01;
 // A relief that varies by less than this (root of it: radians, spacings) tells nothing.
 constexpr double kLeastDifference = 1e-4;
-// What squared differences along edges (with the weights of the stiffness) count beside squared values. The
-// paint of scans, which is noise here, is alike over some spacings: .2 between neighbors at 1. From .2 to 1
-// fills of two scans differ by .1 dB and those of a third gain .2; differences alone cost all three.
-constexpr double kEdges = 1;
+constexpr double kLeastSquare = 1e-12;  // of what is left of a log
+// Share of what differences explain that the estimate from values has to explain of them, to be kept. Paint
+// may change with the shape over a part by chance, but not from neighbor to neighbor too.
+constexpr double kBorneOut = 0.2;
+// What squared differences along edges (with the weights of the stiffness) may count beside squared values,
+// and the mean of log(1 + count x) over the eigenvalues x of the stiffness of an even hexagonal lattice: the
+// log determinant for each site. What does not follow the relief (the paint) may be a grain, or alike
+// over many spacings; a patch of paint must not be taken for light.
+struct Edges {
+  double count, logDeterminant;
+};
+constexpr Edges kEdges[] = {{1, 1.424}, {4, 2.572}, {16, 3.876}, {64, 5.236}, {256, 6.614}, {4096, 9.385}};
 // Columns of what is compared: trend, relief, logs of the channels.
 constexpr int kTrend = 4, kCoefficients = kTrend + kReliefSize;
 constexpr Index kFar = std::numeric_limits<Index>::max();
@@ -91,28 +99,40 @@ class Columns {
   double scale_;
 };
 
-// Sums of the products of the columns over the known sites of a part, and of their differences over edges.
+// Sums of products of the columns over the known sites of a part, and of their differences over edges.
 using Gram = Eigen::MatrixXd;
-Gram compare(const Discretization& d, const Part& part, const std::vector<std::uint8_t>& isKnown,
-             const Relief& relief, const Eigen::MatrixXd& logs) {
+struct Grams {
+  Gram values, edges;
+};
+Grams compare(const Discretization& d, const Part& part, const std::vector<std::uint8_t>& isKnown,
+              const Relief& relief, const Eigen::MatrixXd& logs) {
   const Columns columns(d.sites, part, relief, logs);
-  Gram gram = Gram::Zero(kCoefficients + logs.cols(), kCoefficients + logs.cols());
+  Gram values = Gram::Zero(kCoefficients + logs.cols(), kCoefficients + logs.cols()), edges = values;
   for (const Index i : part.known) {
     const Columns::Row own = columns(i);
-    gram.selfadjointView<Eigen::Lower>().rankUpdate(own);
+    values.selfadjointView<Eigen::Lower>().rankUpdate(own);
     for (Index e = d.fans.offsets[i]; e < d.fans.offsets[i + 1]; ++e) {
       const Index j = d.fans.neighbors[e];
-      const double weight = kEdges / 2 * std::max(0.0, d.weights[e]);  // every edge is met twice
+      const double weight = std::max(0.0, d.weights[e]) / 2;  // every edge is met twice
       if (!isKnown[j] || weight == 0) continue;
       const Columns::Row difference = own - columns(j);
-      gram.selfadjointView<Eigen::Lower>().rankUpdate(difference, weight);
+      edges.selfadjointView<Eigen::Lower>().rankUpdate(difference, weight);
     }
   }
-  return gram.selfadjointView<Eigen::Lower>();
+  return {values.selfadjointView<Eigen::Lower>(), edges.selfadjointView<Eigen::Lower>()};
 }
 
-// Columns are channels; 0 where the relief explains no more than it would by chance.
-Eigen::MatrixXd coefficientsOf(const Gram& gram, double count) {
+struct Fit {
+  Eigen::MatrixXd matrix, right;   // of the normal equations
+  Eigen::MatrixXd coefficients;    // columns are channels
+  Eigen::ArrayXd explained, left;  // of the squares of each channel
+};
+
+Eigen::ArrayXd explainedBy(const Eigen::MatrixXd& coefficients, const Fit& fit) {
+  return coefficients.cwiseProduct(2 * fit.right - fit.matrix * coefficients).colwise().sum().transpose();
+}
+
+Fit fit(const Gram& gram, double count) {
   const Eigen::Index rest = gram.cols() - kTrend, channels = gram.cols() - kCoefficients;
   Eigen::Matrix4d trend = gram.topLeftCorner<kTrend, kTrend>();
   trend.diagonal().array() += 1e-9 * count;  // parts may lie in a plane
@@ -122,17 +142,39 @@ Eigen::MatrixXd coefficientsOf(const Gram& gram, double count) {
   Eigen::MatrixXd matrix = detrended.topLeftCorner<kReliefSize, kReliefSize>();
   matrix.diagonal().array() += kLeastDifference * count;
   const Eigen::MatrixXd right = detrended.topRightCorner(kReliefSize, channels);
-  Eigen::MatrixXd coefficients = matrix.ldlt().solve(right);
-  for (Eigen::Index c = 0; c < channels; ++c) {
-    const double explained = coefficients.col(c).dot(right.col(c));
-    const double left = detrended(kReliefSize + c, kReliefSize + c) - explained;
-    const double byChance = std::max(0.0, kReliefSize * left / (count - kCoefficients));
-    if (std::isfinite(explained) && explained > byChance)
-      coefficients.col(c) *= 1 - byChance / explained;
-    else
-      coefficients.col(c).setZero();
+  Fit result{.matrix = matrix,
+             .right = right,
+             .coefficients = matrix.ldlt().solve(right),
+             .explained = {},
+             .left = {}};
+  result.explained = explainedBy(result.coefficients, result);
+  result.left = detrended.diagonal().tail(channels).array() - result.explained;
+  return result;
+}
+
+// By the first model of the paint where the likeliest one bears it out, else by that (Gaussian, its precision
+// that of values and edges). Columns are channels, 0 where the relief explains no more than it would by
+// chance.
+Eigen::MatrixXd coefficientsOf(const Grams& grams, double count) {
+  const Fit first = fit(grams.values + kEdges[0].count * grams.edges, count);
+  Fit best = first;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Edges& edges : kEdges) {
+    Fit next = fit(grams.values + edges.count * grams.edges, count);
+    const double surprise = (next.left.max(kLeastSquare * count).log() - edges.logDeterminant).sum();
+    if (!(surprise < least)) continue;
+    least = surprise;
+    best = std::move(next);
   }
-  return coefficients;
+  if (explainedBy(first.coefficients, best).sum() > kBorneOut * best.explained.sum()) best = first;
+  for (Eigen::Index c = 0; c < best.coefficients.cols(); ++c) {
+    const double byChance = std::max(0.0, kReliefSize * best.left[c] / (count - kCoefficients));
+    if (best.explained[c] > byChance)
+      best.coefficients.col(c) *= 1 - byChance / best.explained[c];
+    else
+      best.coefficients.col(c).setZero();
+  }
+  return best.coefficients;
 }
 
 // log s of the rows; inside no brighter or darker than around, and 0 in the mean there.
@@ -163,8 +205,8 @@ Shading::Shading(const Hole& hole, const Progress* progress) {
   for (const Part& part : partsAround(hole)) {
     // Twice as many as there are unknown coefficients: fewer tell nothing.
     if (part.known.size() <= 2 * kCoefficients) continue;
-    const Gram gram = compare(d, part, isKnown, relief, logs);
-    writeFactors(part, relief, coefficientsOf(gram, static_cast<double>(part.known.size())), factors_);
+    const Grams grams = compare(d, part, isKnown, relief, logs);
+    writeFactors(part, relief, coefficientsOf(grams, static_cast<double>(part.known.size())), factors_);
   }
 }
 

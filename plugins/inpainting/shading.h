@@ -10,8 +10,9 @@ namespace stipple {
 /// known inside the mask, so what hangs on it need not be guessed from the rim. u = s v, log s a linear
 /// function of the relief, found by least squares of log v, less a linear trend in space, over what is known
 /// around each part of the mask; its values and their differences along edges count (generalized least
-/// squares for paint that is alike over some spacings). Shrunk to no light at all (s = 1) where colors do not
-/// follow the relief by more than chance (James and Stein 1961). Attributes that are not colors have none.
+/// squares), these the more the farther the paint is alike (maximum likelihood), so that patches of paint are
+/// not taken for light. Shrunk to no light at all (s = 1) where colors do not follow the relief by more than
+/// chance (James and Stein 1961). Attributes that are not colors have none.
 class Shading {
  public:
   explicit Shading(const Hole& hole, const Progress* progress = nullptr);
